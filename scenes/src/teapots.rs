@@ -5,7 +5,8 @@ use fixed::types::{I16F16, U0F16};
 use zrow::{
     scene::{FaceSet, Model, Rotation},
     shade::{
-        DirectionalLight, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Shading, Textured, TexturedSkin,
+        DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Shading,
+        Textured, TexturedSkin,
     },
 };
 
@@ -13,7 +14,7 @@ use crate::{
     meshes::face_set,
     paint::rgb,
     standard::{Subject, Turning, angle, model},
-    teapot::{TEAPOT, TEAPOT_COLORS, TEAPOT_COORDINATES, TEAPOT_NORMALS},
+    teapot::{TEAPOT, TEAPOT_COLORS, TEAPOT_COORDINATES, TEAPOT_FACE_NORMALS, TEAPOT_NORMALS},
 };
 
 /// From where the teapot fills the width of an upright panel when its spout swings outwards.
@@ -22,6 +23,9 @@ const DISTANCE: I16F16 = I16F16::lit("736");
 const SIZE: Size = Size::new(240, 320);
 /// Texels of a side of the texture.
 const TEXELS: usize = 64;
+
+/// The colour of a teapot without a texture.
+const CLAY: &[Rgb565] = &[rgb(236, 188, 150)];
 
 /// The light of the teapots, from the upper left.
 pub const LIGHT: Lambert<1> = Lambert {
@@ -102,6 +106,29 @@ impl Subject for FlatPot {
     }
 }
 
+/// The teapot in one colour under a light, each face in one brightness.
+#[derive(Debug)]
+pub struct FlatLitPot;
+
+impl Subject for FlatLitPot {
+    const NAME: &'static str = "teapot-flat-lit";
+    const TITLE: &'static str = "Utah teapot, flat shading";
+    const SIZE: Size = SIZE;
+    const DISTANCE: I16F16 = DISTANCE;
+    type Shading = FlatLit<Rgb565>;
+
+    fn model() -> Model<'static, FlatLit<Rgb565>> {
+        shaded(
+            TEAPOT,
+            FlatLitSkin {
+                colors: CLAY,
+                normals: &TEAPOT_FACE_NORMALS,
+                lights: LIGHT,
+            },
+        )
+    }
+}
+
 /// The teapot in one colour under a light.
 #[derive(Debug)]
 pub struct GouraudPot;
@@ -114,7 +141,6 @@ impl Subject for GouraudPot {
     type Shading = Gouraud<Rgb565>;
 
     fn model() -> Model<'static, Gouraud<Rgb565>> {
-        const CLAY: &[Rgb565] = &[rgb(236, 188, 150)];
         shaded(
             TEAPOT,
             GouraudSkin {

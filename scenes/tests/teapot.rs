@@ -8,8 +8,8 @@ use std::{
 use embedded_graphics::{pixelcolor::Rgb565, prelude::RgbColor};
 use zrow::scene::FaceSet;
 use zrow_scenes::teapot::{
-    SMALL_TEAPOT, SMALL_TEAPOT_COLORS, SMALL_TEAPOT_COORDINATES, SMALL_TEAPOT_NORMALS, TEAPOT, TEAPOT_COLORS,
-    TEAPOT_COORDINATES, TEAPOT_NORMALS,
+    SMALL_TEAPOT, SMALL_TEAPOT_COLORS, SMALL_TEAPOT_COORDINATES, SMALL_TEAPOT_FACE_NORMALS, SMALL_TEAPOT_NORMALS,
+    TEAPOT, TEAPOT_COLORS, TEAPOT_COORDINATES, TEAPOT_FACE_NORMALS, TEAPOT_NORMALS,
     parts::{PARTS, Part},
     patches::{CONTROL_POINTS, Patch, UNITS},
 };
@@ -25,6 +25,7 @@ struct Teapot {
     cells: usize,
     mesh: &'static FaceSet<'static>,
     normals: &'static [[i8; 2]],
+    face_normals: &'static [[i8; 2]],
     coordinates: &'static [[i16; 2]],
     colors: &'static [Rgb565],
 }
@@ -35,6 +36,7 @@ fn teapots() -> [Teapot; 2] {
             cells: 4,
             mesh: &TEAPOT,
             normals: &TEAPOT_NORMALS,
+            face_normals: &TEAPOT_FACE_NORMALS,
             coordinates: &TEAPOT_COORDINATES,
             colors: &TEAPOT_COLORS,
         },
@@ -42,6 +44,7 @@ fn teapots() -> [Teapot; 2] {
             cells: 2,
             mesh: &SMALL_TEAPOT,
             normals: &SMALL_TEAPOT_NORMALS,
+            face_normals: &SMALL_TEAPOT_FACE_NORMALS,
             coordinates: &SMALL_TEAPOT_COORDINATES,
             colors: &SMALL_TEAPOT_COLORS,
         },
@@ -170,6 +173,25 @@ fn normals_are_those_of_the_surface() {
                 assert_eq!(stored, [0.0, pole, 0.0]);
             }
         });
+    }
+    assert!(worst < 0.67, "{worst} degrees");
+}
+
+#[test]
+fn face_normals_are_at_right_angles_to_the_faces() {
+    let mut worst = 0.0f64;
+    for teapot in teapots() {
+        for face in 0..teapot.mesh.faces().len() {
+            let corners = teapot
+                .corners(face)
+                .1
+                .map(|vertex| teapot.mesh.vertices()[vertex].map(f64::from));
+            let side = |corner: usize| [0, 1, 2].map(|axis| corners[corner][axis] - corners[0][axis]);
+            let normal = cross(side(1), side(2));
+            let length = normal.iter().map(|value| value * value).sum::<f64>().sqrt();
+            let stored = direction(teapot.face_normals[face]);
+            worst = worst.max(angle(stored, normal.map(|value| value / length)));
+        }
     }
     assert!(worst < 0.67, "{worst} degrees");
 }

@@ -44,7 +44,7 @@ pub enum TooSmall {
     Cells(usize),
     /// Colours of a model, one for each of its faces: a slice.
     Colors(usize),
-    /// Normals of a model, one for each of its vertices: a slice.
+    /// Normals of a model, one for each of its vertices or faces: a slice.
     Normals(usize),
     /// Texture coordinates of a model, one pair for each of its vertices: a slice.
     TextureCoordinates(usize),

@@ -1,6 +1,6 @@
 //! Colour of a fragment, and of the pixels of a 2D shape.
 //!
-//! A [`Shading`] gives the faces of a scene their colours: any colour itself (one a face), [`Gouraud`], [`Textured`], [`LitTextured`],
+//! A [`Shading`] gives the faces of a scene their colours: any colour itself (one a face), [`FlatLit`], [`Gouraud`], [`Textured`], [`LitTextured`],
 //! or a type of the program's own. The row loop of the depth row is generic over it, so that each shading gets its own loop and carries
 //! only what it interpolates. [`Lambert`] is the light on their vertices.
 //!
@@ -31,8 +31,8 @@ pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp};
 pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
 pub use shading::{
-    Attributes, DirectionalLight, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Perspective, Shading,
-    Textured, TexturedSkin,
+    Attributes, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin,
+    Perspective, Shading, Textured, TexturedSkin,
 };
 pub(crate) use shading::{Flat, PlaneSource, Planes, Run, Shade, SpanPosition};
 pub(crate) use span_blender::SpanBlender;

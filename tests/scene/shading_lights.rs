@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use zrow::{
     geometry::InputError,
     scene::{Model, Pose, Rotation},
-    shade::{DirectionalLight, Gouraud, GouraudSkin, Lambert},
+    shade::{DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, Shading},
 };
 
 use crate::common::meshes::Mesh;
@@ -76,19 +76,12 @@ fn facing(rotation: &Rotation) -> Mesh {
     Mesh::new(corners.map(back).to_vec(), vec![[0, 1, 2]]).two_sided()
 }
 
-/// The levels, of 255, that a white triangle with one normal has.
-fn level<const LIGHTS: usize>(lights: Lambert<LIGHTS>, normal: [i8; 2], rotation: Rotation) -> u8 {
-    let (camera, mesh) = (camera_in_units(), facing(&rotation));
-    let skin = GouraudSkin {
-        colors: &[Rgb888::WHITE],
-        normals: &[normal; 3],
-        lights,
-    };
+/// The levels, of 255, that a white triangle has with a shading.
+fn level_of<'a, H: Shading<Color = Rgb888>>(mesh: &'a Mesh, skin: H::Skin<'a>, rotation: Rotation) -> u8 {
+    let camera = camera_in_units();
     let pose = Pose::new(rotation, at(0, 0, 1_024));
-    let models = [Model::<Gouraud<Rgb888, LIGHTS>>::with_skin(mesh.face_set(), skin)
-        .unwrap()
-        .with_pose(pose)];
-    let mut memory = Box::new(SmallMemory::<Gouraud<Rgb888, LIGHTS>>::new());
+    let models = [Model::<H>::with_skin(mesh.face_set(), skin).unwrap().with_pose(pose)];
+    let mut memory = Box::new(SmallMemory::<H>::new());
     let words = words(
         &mut memory.prepare(&camera, &models).unwrap(),
         camera.viewport().to_rectangle(),
@@ -101,16 +94,42 @@ fn level<const LIGHTS: usize>(lights: Lambert<LIGHTS>, normal: [i8; 2], rotation
     r
 }
 
+/// The levels of a triangle with one normal, in Gouraud shading and with one brightness a face.
+fn levels<const LIGHTS: usize>(lights: Lambert<LIGHTS>, normal: [i8; 2], rotation: Rotation) -> [u8; 2] {
+    let mesh = facing(&rotation);
+    let (colors, normals) = (&[Rgb888::WHITE], &[normal; 3]);
+    let smooth = GouraudSkin {
+        colors,
+        normals,
+        lights,
+    };
+    let flat = FlatLitSkin {
+        colors,
+        normals,
+        lights,
+    };
+    [
+        level_of::<Gouraud<Rgb888, LIGHTS>>(&mesh, smooth, rotation),
+        level_of::<FlatLit<Rgb888, LIGHTS>>(&mesh, flat, rotation),
+    ]
+}
+
+/// The levels of a triangle with one normal in Gouraud shading.
+fn level<const LIGHTS: usize>(lights: Lambert<LIGHTS>, normal: [i8; 2], rotation: Rotation) -> u8 {
+    levels(lights, normal, rotation)[0]
+}
+
 /// Compares the light with floating point. A level is rounded by 1/2; light is within 8/32,768, where it is doubled and
 /// cut off by 1, and what varies over a face by 1.
 fn check<const LIGHTS: usize>(ambient: u16, lights: [Light; LIGHTS], normal: [i8; 2], rotation: Rotation) {
-    let level = f64::from(level(lambert(ambient, lights), normal, rotation));
     let exact = 255.0 * light(ambient, lights, normal, &rotation);
     let bound = 0.5 + 255.0 * 10.0 / 32_768.0;
-    assert!(
-        (level - exact).abs() <= bound,
-        "{level}, not {exact}, {ambient}, {lights:?}, {normal:?}"
-    );
+    for level in levels(lambert(ambient, lights), normal, rotation).map(f64::from) {
+        assert!(
+            (level - exact).abs() <= bound,
+            "{level}, not {exact}, {ambient}, {lights:?}, {normal:?}"
+        );
+    }
 }
 
 fn any_light() -> impl Strategy<Value = Light> {

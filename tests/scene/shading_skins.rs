@@ -15,8 +15,8 @@ use zrow::{
     geometry::{InputError, TooSmall},
     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation, Whole},
     shade::{
-        ChannelColor, DirectionalLight, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Shading, Textured,
-        TexturedSkin,
+        ChannelColor, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured,
+        LitTexturedSkin, Shading, Textured, TexturedSkin,
     },
 };
 
@@ -75,11 +75,20 @@ where
             lights: FULL,
         };
         let model = Model::<Gouraud<C, 0>>::with_skin(mesh.face_set(), skin).unwrap();
-        let words = drawn(model.with_pose(before_camera()), &camera, background.to_word());
-        assert!(
-            words.iter().all(|word| *word == color.to_word()),
-            "{color:?}: {words:?}"
-        );
+        let smooth = drawn(model.with_pose(before_camera()), &camera, background.to_word());
+        let skin = FlatLitSkin {
+            colors: &[color],
+            normals: &[[0; 2]; 2],
+            lights: FULL,
+        };
+        let model = Model::<FlatLit<C, 0>>::with_skin(mesh.face_set(), skin).unwrap();
+        let flat = drawn(model.with_pose(before_camera()), &camera, background.to_word());
+        for words in [smooth, flat] {
+            assert!(
+                words.iter().all(|word| *word == color.to_word()),
+                "{color:?}: {words:?}"
+            );
+        }
     }
 }
 
@@ -245,6 +254,17 @@ fn skins_that_are_too_short_are_errors() {
     assert_eq!(gouraud(0, 4), Some(TooSmall::Colors(1)));
     assert_eq!(gouraud(1, 3), Some(TooSmall::Normals(4)));
     assert_eq!(gouraud(1, 4), None);
+    let flat_lit = |colors: usize, normals: usize| {
+        let skin = FlatLitSkin {
+            colors: &[Rgb565::RED; 4][..colors],
+            normals: &[[0; 2]; 4][..normals],
+            lights: directed,
+        };
+        Model::<FlatLit<Rgb565>>::with_skin(mesh.face_set(), skin).err()
+    };
+    assert_eq!(flat_lit(0, 4), Some(TooSmall::Colors(1)));
+    assert_eq!(flat_lit(1, 1), Some(TooSmall::Normals(2)));
+    assert_eq!(flat_lit(1, 2), None);
     let unlit = GouraudSkin {
         colors: &colors,
         normals: &[],

@@ -3,7 +3,7 @@
 use embedded_graphics::pixelcolor::Rgb565;
 
 use super::{
-    face_shade::shade,
+    face_shade::{face_normal, shade},
     grid::Grid,
     octahedral::encode,
     parts::{PARTS, Pole},
@@ -22,6 +22,7 @@ pub(super) struct Mesh<const V: usize, const F: usize> {
     pub(super) normals: [[i8; 2]; V],
     pub(super) coordinates: [[i16; 2]; V],
     pub(super) faces: [[u16; 3]; F],
+    pub(super) face_normals: [[i8; 2]; F],
     pub(super) colors: [Rgb565; F],
 }
 
@@ -52,6 +53,7 @@ pub(super) const fn tessellate<const V: usize, const F: usize>(cells: usize) -> 
         normals: [[0; 2]; V],
         coordinates: [[0; 2]; V],
         faces: [[0; 3]; F],
+        face_normals: [[0; 2]; F],
         colors: [Rgb565::new(0, 0, 0); F],
     };
     let (mut vertices, mut faces, mut index) = (0, 0, 0);
@@ -129,6 +131,7 @@ impl<const V: usize, const F: usize> Mesh<V, F> {
     const fn add_face(&mut self, [a, b, c]: [usize; 3], grid: &Grid, count: usize) -> usize {
         self.faces[count] = [a as u16, b as u16, c as u16];
         let corners = [self.positions[a], self.positions[b], self.positions[c]];
+        self.face_normals[count] = encode(face_normal(corners));
         self.colors[count] = shade(corners, grid.part.color);
         count + 1
     }

@@ -27,7 +27,8 @@ use crate::meshes::face_set;
 use mesh::{Mesh, face_count, tessellate, vertex_count};
 
 macro_rules! teapots {
-    ($($cells:literal: $mesh:ident, $doc:literal, $faces:ident, $normals:ident, $coordinates:ident, $colors:ident;)+) => {$(
+    ($($cells:literal: $mesh:ident, $doc:literal, $faces:ident, $normals:ident, $coordinates:ident, $colors:ident,
+        $face_normals:ident;)+) => {$(
         const $mesh: Mesh<{ vertex_count($cells) }, { face_count($cells) }> = tessellate($cells);
 
         #[doc = $doc]
@@ -51,12 +52,18 @@ macro_rules! teapots {
             "turns with the pot."
         )]
         pub static $colors: [Rgb565; face_count($cells)] = $mesh.colors;
+        #[doc = concat!(
+            "The direction in which each face of [`", stringify!($faces), "`] looks, as a point of the octahedron ",
+            "|x| + |y| + |z| = 127: x and y, where z is negative folded outwards over the edges of the square."
+        )]
+        pub static $face_normals: [[i8; 2]; face_count($cells)] = $mesh.face_normals;
     )+};
 }
 
 teapots! {
     4: FINE, "The teapot of 4 by 4 cells a patch: 560 vertices and 992 faces.",
-        TEAPOT, TEAPOT_NORMALS, TEAPOT_COORDINATES, TEAPOT_COLORS;
+        TEAPOT, TEAPOT_NORMALS, TEAPOT_COORDINATES, TEAPOT_COLORS, TEAPOT_FACE_NORMALS;
     2: COARSE, "The teapot of 2 by 2 cells a patch, for a small display: 156 vertices and 240 faces.",
-        SMALL_TEAPOT, SMALL_TEAPOT_NORMALS, SMALL_TEAPOT_COORDINATES, SMALL_TEAPOT_COLORS;
+        SMALL_TEAPOT, SMALL_TEAPOT_NORMALS, SMALL_TEAPOT_COORDINATES, SMALL_TEAPOT_COLORS,
+        SMALL_TEAPOT_FACE_NORMALS;
 }

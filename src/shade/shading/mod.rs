@@ -7,6 +7,7 @@
 
 mod attributes;
 mod flat;
+mod flat_lit;
 mod gouraud;
 mod lambert;
 mod lit_textured;
@@ -16,6 +17,7 @@ mod textured;
 pub use attributes::Attributes;
 pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
 pub(crate) use flat::Flat;
+pub use flat_lit::{FlatLit, FlatLitSkin};
 pub use gouraud::{Gouraud, GouraudSkin};
 pub use lambert::{DirectionalLight, Lambert};
 pub use lit_textured::{LitTextured, LitTexturedSkin};

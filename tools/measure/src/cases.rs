@@ -391,6 +391,18 @@ fn teapots() -> impl Iterator<Item = Case> {
         ),
         (
             V7EM,
+            "scene.teapot.flat_lit",
+            "Utah teapot under a light, one brightness a face",
+            Some(600_000.0),
+        ),
+        (
+            V6M,
+            "scene.teapot.flat_lit",
+            "Utah teapot under a light, one brightness a face",
+            None,
+        ),
+        (
+            V7EM,
             "scene.teapot.gouraud",
             "Utah teapot under a light, three channels",
             Some(730_000.0),

@@ -13,8 +13,8 @@ use zrow::{
     geometry::{InputError, Window},
     scene::{Camera, Deep, FaceSet, Fine, Look, Memory, Model, Pose, Prepared, Whole},
     shade::{
-        ChannelColor, DirectionalLight, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Shading, Textured,
-        TexturedSkin,
+        ChannelColor, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured,
+        LitTexturedSkin, Shading, Textured, TexturedSkin,
     },
 };
 
@@ -76,6 +76,8 @@ struct Tables<C: BandColor> {
     vertices: Vec<[i16; 3]>,
     faces: Vec<[u16; 3]>,
     normals: Vec<[i8; 2]>,
+    /// Each face has the normal of its first vertex.
+    face_normals: Vec<[i8; 2]>,
     coordinates: Vec<[i16; 2]>,
     colors: Vec<C>,
     lights: [DirectionalLight; 3],
@@ -123,9 +125,14 @@ impl AnyModel {
             *state ^= *state << 5;
             color::<C>(*state >> 5).to_word()
         };
+        let faces: Vec<[u16; 3]> = faces.map(|face| face.map(|index| u16::from(index) % count)).collect();
         Tables {
             vertices: self.positions(),
-            faces: faces.map(|face| face.map(|index| u16::from(index) % count)).collect(),
+            face_normals: faces
+                .iter()
+                .map(|[first, ..]| all[usize::from(*first)].normal)
+                .collect(),
+            faces,
             normals: all.iter().map(|vertex| vertex.normal).collect(),
             coordinates: all.iter().map(|vertex| vertex.coordinates.map(|axis| axis.0)).collect(),
             colors: all
@@ -156,6 +163,16 @@ fn lambert<C: BandColor, const LIGHTS: usize>(tables: &Tables<C>) -> Lambert<LIG
     Lambert {
         ambient: tables.ambient,
         lights: core::array::from_fn(|light| tables.lights[light]),
+    }
+}
+
+impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnyShading for FlatLit<C, LIGHTS> {
+    fn skin(tables: &Tables<C>) -> FlatLitSkin<'_, C, LIGHTS> {
+        FlatLitSkin {
+            colors: &tables.colors,
+            normals: &tables.face_normals,
+            lights: lambert(tables),
+        }
     }
 }
 
@@ -206,6 +223,7 @@ enum Method {
     Gouraud,
     Textured,
     LitTextured,
+    FlatLit,
 }
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
@@ -387,6 +405,13 @@ impl ShadingCase {
 impl Case for ShadingCase {
     fn check(&self) -> Verdict {
         match (self.method, self.kind) {
+            (Method::FlatLit, Kind::Rgb565) => self.check_kind::<FlatLit<Rgb565>>(),
+            (Method::FlatLit, Kind::FineRgb565) => self.check_kind::<Fine<FlatLit<Rgb565, 3>>>(),
+            (Method::FlatLit, Kind::DeepRgb565) => self.check_kind::<Deep<FlatLit<Rgb565, 0>>>(),
+            (Method::FlatLit, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<FlatLit<Rgb565, 2>>>>(),
+            (Method::FlatLit, Kind::DeepGray8) => self.check_kind::<Deep<FlatLit<Gray8>>>(),
+            (Method::FlatLit, Kind::FineBinary) => self.check_kind::<Fine<FlatLit<BinaryColor>>>(),
+            (Method::FlatLit, Kind::Rgb888) => self.check_kind::<FlatLit<Rgb888, 2>>(),
             (Method::Gouraud, Kind::Rgb565) => self.check_kind::<Gouraud<Rgb565>>(),
             (Method::Gouraud, Kind::FineRgb565) => self.check_kind::<Fine<Gouraud<Rgb565, 3>>>(),
             (Method::Gouraud, Kind::DeepRgb565) => self.check_kind::<Deep<Gouraud<Rgb565, 0>>>(),

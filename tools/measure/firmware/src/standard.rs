@@ -6,11 +6,11 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     scene::{Look, Memory},
-    shade::{Gouraud, LitTextured, Textured},
+    shade::{FlatLit, Gouraud, LitTextured, Textured},
 };
 use zrow_scenes::{
     standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage},
-    teapots::{FlatPot, GouraudPot, TexturedPot, TexturedSquare},
+    teapots::{FlatLitPot, FlatPot, GouraudPot, TexturedPot, TexturedSquare},
 };
 
 use crate::{
@@ -42,6 +42,8 @@ pub type Sc2 = Stage<SmallSphere, Rgb565, 162, 320, 20>;
 pub type Sc3 = Stage<SmallCube, Rgb565, 8, 12, 6>;
 /// The Utah teapot.
 pub type FlatTeapot = Stage<FlatPot, Rgb565, 560, 992, 91, 240, 320>;
+/// The Utah teapot in one colour under a light, each face in one brightness.
+pub type FlatLitTeapot = Stage<FlatLitPot, FlatLit<Rgb565>, 560, 992, 91, 240, 320>;
 /// The Utah teapot in one colour under a light.
 pub type GouraudTeapot = Stage<GouraudPot, Gouraud<Rgb565>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with a texture under a light.

@@ -7,7 +7,7 @@ use cortex_m_rt::entry;
 use zrow_measure_firmware::{
     report,
     run::Runner,
-    standard::{FlatTeapot, GouraudTeapot, TexturedQuad, TexturedTeapot, count},
+    standard::{FlatLitTeapot, FlatTeapot, GouraudTeapot, TexturedQuad, TexturedTeapot, count},
     stopwatch::Stopwatch,
 };
 
@@ -16,16 +16,18 @@ fn main() -> ! {
     let mut words = [0; 256];
     let wanted = report::wanted(&mut words);
     let flat = cortex_m::singleton!(: FlatTeapot = FlatTeapot::EMPTY);
+    let flat_lit = cortex_m::singleton!(: FlatLitTeapot = FlatLitTeapot::EMPTY);
     let gouraud = cortex_m::singleton!(: GouraudTeapot = GouraudTeapot::EMPTY);
     let textured = cortex_m::singleton!(: TexturedTeapot = TexturedTeapot::EMPTY);
     let quad = cortex_m::singleton!(: TexturedQuad = TexturedQuad::EMPTY);
-    let (Some(peripherals), Some(flat), Some(gouraud), Some(textured), Some(quad)) =
-        (Peripherals::take(), flat, gouraud, textured, quad)
+    let (Some(peripherals), Some(flat), Some(flat_lit), Some(gouraud), Some(textured), Some(quad)) =
+        (Peripherals::take(), flat, flat_lit, gouraud, textured, quad)
     else {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
     count(&mut runner, "scene.teapot.flat", flat);
+    count(&mut runner, "scene.teapot.flat_lit", flat_lit);
     count(&mut runner, "scene.teapot.gouraud", gouraud);
     count(&mut runner, "scene.teapot.textured_lit", textured);
     count(&mut runner, "scene.quad.textured", quad);

@@ -12,7 +12,7 @@ use zrow::{
         Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Prepared, SceneItem, ScreenPrecision,
         Whole,
     },
-    shade::{Gouraud, LitTextured, Shading, Textured},
+    shade::{FlatLit, Gouraud, LitTextured, Shading, Textured},
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
@@ -30,6 +30,8 @@ pub const EXERCISES: &[fn()] = &[
     memory::<Rgb565, Sub8, u16, false>,
     memory::<Rgb888, Sub8, u32, true>,
     look::<Fine<Whole<Rgb565>>>,
+    shaded::<FlatLit<Rgb565>>,
+    shaded::<FlatLit<Gray4, 0>>,
     shaded::<Gouraud<Rgb565>>,
     shaded::<Gouraud<Gray4, 3>>,
     shaded::<Textured<BinaryColor, 8, 4>>,

@@ -7,7 +7,7 @@ use zrow::{
     geometry::TooSmall,
     scene::{FaceSet, Pose},
     shade::{
-        Attributes, BlendTarget, ChannelColor, ConeFilter, DirectionalLight, Gouraud, GouraudSkin, Lambert,
+        Attributes, BlendTarget, ChannelColor, ConeFilter, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert,
         LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, RadialGradient, Ramp, SampleFilter,
         SampleTarget, Shading, Textured, TexturedSkin,
     },
@@ -60,6 +60,8 @@ pub const EXERCISES: &[fn()] = &[
     attributes::<[i16; 3]>,
     attributes::<Perspective<2>>,
     shading::<Rgb565>,
+    shading::<FlatLit<Rgb565>>,
+    shading::<FlatLit<Rgb888, 4>>,
     shading::<Gouraud<Rgb565>>,
     shading::<Gouraud<BinaryColor, 0>>,
     shading::<Gouraud<Rgb888, 16>>,
@@ -172,6 +174,7 @@ fn lights() {
 
 #[inline(never)]
 fn skins() {
+    eq::<FlatLitSkin<'_, Rgb565>>();
     eq::<GouraudSkin<'_, Rgb565>>();
     eq::<TexturedSkin<'_, Rgb565, 64, 64>>();
     eq::<LitTexturedSkin<'_, Rgb565, 64, 64>>();
