@@ -29,7 +29,7 @@ struct Arguments {
     /// What the greatest coordinate of the model becomes
     #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u16).range(1..=32_767))]
     size: u16,
-    /// Leaves normals out, for faces that are shaded as a whole
+    /// Writes the normals of faces, which `FlatLit` shading takes, and not those of vertices
     #[arg(long)]
     flat: bool,
     /// The model's z is up, as in files of CAD programs, and not y

@@ -13,7 +13,7 @@ use crate::{
     quantize::{Positions, Up, quantize},
     texture::{self, Texture},
     triangulate::{Triangulated, triangulate},
-    vector::{difference, dot, newell, scaled, sum, unit},
+    vector::{cross, difference, dot, newell, scaled, sum, unit},
 };
 
 /// Faces at most: a scene numbers them with 16 bits.
@@ -30,7 +30,7 @@ pub struct Options {
     pub size: u16,
     /// Which axis of the file points up.
     pub up: Up,
-    /// Whether normals are left out.
+    /// Whether faces have normals, and not vertices.
     pub flat: bool,
 }
 
@@ -343,5 +343,15 @@ impl<'a> Worst<'a> {
                 (self.distance, self.face) = (distance, Some(face));
             }
         }
+    }
+}
+
+impl Mesh {
+    /// Octahedral normals of the faces.
+    pub fn face_normals(&self) -> impl ExactSizeIterator<Item = [i8; 2]> + '_ {
+        self.faces.iter().map(|face| {
+            let [a, b, c] = face.map(|index| self.vertices[usize::from(index)].map(f64::from));
+            octahedral::encode(cross(difference(b, a), difference(c, a)))
+        })
     }
 }

@@ -63,7 +63,11 @@ fn bytes(mesh: &Mesh) -> usize {
     6 * mesh.vertices.len()
         + 6 * mesh.faces.len()
         + 2 * mesh.colors.len()
-        + 2 * mesh.normals.len()
+        + 2 * if mesh.normals.is_empty() {
+            mesh.faces.len()
+        } else {
+            mesh.normals.len()
+        }
         + 4 * mesh.coordinates.len()
         + texture
 }
@@ -133,20 +137,16 @@ fn write_colors(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Result {
 }
 
 fn write_normals(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Result {
+    let text = |[a, b]: [i8; 2]| format!("[{a}, {b}],");
+    let axes = "octahedral, 127 is 1, with x to the right, y up and z away from the viewer.";
     if mesh.normals.is_empty() {
-        return Ok(());
+        write!(to, "\n/// The normal of each face: {axes}")?;
+        let begin = format!("pub static {name}_FACE_NORMALS: [[i8; 2]; ");
+        return write_table(to, &begin, mesh.faces.len(), mesh.face_normals().map(text));
     }
-    write!(
-        to,
-        "\n/// The normal of each vertex: octahedral, 127 is 1, with x to the right, y up and z away from the viewer."
-    )?;
-    let normals = mesh.normals.iter().map(|[a, b]| format!("[{a}, {b}],"));
-    write_table(
-        to,
-        &format!("pub static {name}_NORMALS: [[i8; 2]; "),
-        mesh.normals.len(),
-        normals,
-    )
+    write!(to, "\n/// The normal of each vertex: {axes}")?;
+    let begin = format!("pub static {name}_NORMALS: [[i8; 2]; ");
+    write_table(to, &begin, mesh.normals.len(), mesh.normals.iter().copied().map(text))
 }
 
 fn write_coordinates(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Result {

@@ -162,8 +162,14 @@ fn without_normals_none_are_written() {
     ] {
         assert!(module.source.contains(part), "{}", module.source);
     }
-    assert!(!module.source.contains("NORMALS"));
-    assert_eq!(module.bytes, 8 * 6 + 12 * (6 + 2));
+    assert!(!module.source.contains("DIE_NORMALS"));
+    // Two faces look along each axis, to both sides: the front one is that with z below 0.
+    let mut normals: Vec<_> = mesh.face_normals().collect();
+    normals.sort();
+    let axes = [[-127, 0], [0, -127], [0, 0], [0, 127], [127, 0], [127, 127]];
+    assert_eq!(normals, axes.map(|axis| [axis; 2]).concat());
+    assert!(module.source.contains("pub static DIE_FACE_NORMALS: [[i8; 2]; 12] = ["));
+    assert_eq!(module.bytes, 8 * 6 + 12 * (6 + 2 + 2));
 }
 
 /// Windows' line ends, a line that goes on, comments, negative indices, colours of vertices, lines and points, names.
