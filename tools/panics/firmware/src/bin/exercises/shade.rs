@@ -7,9 +7,9 @@ use zrow::{
     geometry::TooSmall,
     scene::{FaceSet, Pose},
     shade::{
-        Attributes, BlendTarget, ChannelColor, ConeFilter, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert,
-        LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, RadialGradient, Ramp, SampleFilter,
-        SampleTarget, Shading, Textured, TexturedSkin,
+        Attributes, BlendTarget, ChannelColor, ConeFilter, DirectionalLight, FlatLit, FlatLitSkin, Gouraud,
+        GouraudSkin, Lambert, LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective,
+        RadialGradient, Ramp, SampleFilter, SampleTarget, Shading, Textured, TexturedSkin,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
