@@ -19,7 +19,7 @@ use zrow_scenes::{
     teapots::PORCELAIN,
 };
 
-/// What the picture is made of: RGB565 and a texture of 64 x 64 texels under one light.
+/// The look of the scene: RGB565, and a texture of 64 x 64 texels under one light.
 type Pot = LitTextured<Rgb565, 64, 64>;
 const VERTICES: usize = TEAPOT.vertices().len();
 const FACES: usize = TEAPOT.faces().len();

@@ -43,6 +43,8 @@ pub trait Subject: core::fmt::Debug {
     const SIZE: Size;
     /// From the camera to the middle of the mesh: three lengths of 1, where nothing else is said.
     const DISTANCE: I16F16 = I16F16::lit("1536");
+    /// The frame that shows it best.
+    const PORTRAIT: u32 = 5;
     /// How its faces get their colours.
     type Shading: Shading<Color = Rgb565>;
 
@@ -89,7 +91,7 @@ impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROW
     const AREA: Rectangle = Rectangle::new(Point::zero(), S::SIZE);
     const BACKGROUND: Rgb565 = rgb(12, 16, 24);
     const FRAMES: u32 = FRAMES;
-    const PORTRAIT: u32 = 5;
+    const PORTRAIT: u32 = S::PORTRAIT;
     const DEPTH_ROW_BYTES: usize = size_of::<[u16; COLUMNS]>();
 
     fn prepare(&mut self, frame: u32) -> Result<Self::Prepared<'_>, PrepareError> {

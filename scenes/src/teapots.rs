@@ -19,6 +19,8 @@ use crate::{
 
 /// From where the teapot fills the width of an upright panel when its spout swings outwards.
 const DISTANCE: I16F16 = I16F16::lit("736");
+/// The frame in which lid, handle and spout are seen.
+const PORTRAIT: u32 = 62;
 /// An upright panel.
 const SIZE: Size = Size::new(240, 320);
 /// Texels of a side of the texture.
@@ -99,6 +101,7 @@ impl Subject for FlatPot {
     const TITLE: &'static str = "Utah teapot, flat";
     const SIZE: Size = SIZE;
     const DISTANCE: I16F16 = DISTANCE;
+    const PORTRAIT: u32 = PORTRAIT;
     type Shading = Rgb565;
 
     fn model() -> Model<'static, Rgb565> {
@@ -115,6 +118,7 @@ impl Subject for FlatLitPot {
     const TITLE: &'static str = "Utah teapot, flat shading";
     const SIZE: Size = SIZE;
     const DISTANCE: I16F16 = DISTANCE;
+    const PORTRAIT: u32 = PORTRAIT;
     type Shading = FlatLit<Rgb565>;
 
     fn model() -> Model<'static, FlatLit<Rgb565>> {
@@ -138,6 +142,7 @@ impl Subject for GouraudPot {
     const TITLE: &'static str = "Utah teapot, Gouraud shading";
     const SIZE: Size = SIZE;
     const DISTANCE: I16F16 = DISTANCE;
+    const PORTRAIT: u32 = PORTRAIT;
     type Shading = Gouraud<Rgb565>;
 
     fn model() -> Model<'static, Gouraud<Rgb565>> {
@@ -161,6 +166,7 @@ impl Subject for TexturedPot {
     const TITLE: &'static str = "Utah teapot, lit and textured";
     const SIZE: Size = SIZE;
     const DISTANCE: I16F16 = DISTANCE;
+    const PORTRAIT: u32 = PORTRAIT;
     type Shading = LitTextured<Rgb565, TEXELS, TEXELS>;
 
     fn model() -> Model<'static, Self::Shading> {
@@ -186,7 +192,7 @@ impl Subject for TexturedSquare {
     const SIZE: Size = SIZE;
     type Shading = Textured<Rgb565, TEXELS, TEXELS>;
 
-    /// It sways by a sixteenth of a turn to both sides.
+    /// The rotation of the square in a frame: tilted back, it sways by a sixteenth of a turn to both sides.
     fn rotation(frame: u32) -> Rotation {
         let swing = frame % 64;
         Rotation::about_x(angle(32)).then(&Rotation::about_y(angle(512 - 32 + swing)))

@@ -232,7 +232,7 @@ fn colors_show_the_shape() {
 }
 
 impl Teapot {
-    /// Where the corners of a face are, and which vertices.
+    /// The positions of the three corners of a face, and their indices among the vertices.
     fn corners(&self, face: usize) -> ([Position; 3], [usize; 3]) {
         let vertices = self.mesh.faces()[face].map(usize::from);
         (vertices.map(|vertex| self.mesh.vertices()[vertex]), vertices)

@@ -21,14 +21,14 @@ pub struct Part {
     pub color: [i64; 3],
 }
 
-/// Where the grid ends in a point.
+/// Which row of a part's grid of vertices, if one, lies in a single point of the surface.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub enum Pole {
     /// In the first row.
     First,
     /// In the last row.
     Last,
-    /// It is open at both ends.
+    /// No row: the part is open at both ends.
     None,
 }
 

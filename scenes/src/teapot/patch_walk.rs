@@ -74,7 +74,7 @@ impl RowWalk {
         values(&self.point)
     }
 
-    /// What is perpendicular to the surface and points outwards, of any length; 0 where the row is a point.
+    /// The normal of the surface at the vertex that the walk has reached, outwards and of any length; 0 where the row is a point.
     pub(super) const fn normal(&self) -> [i64; 3] {
         let [x, y, z] = &self.point;
         cross(values(&self.down), [x.slope(), y.slope(), z.slope()])

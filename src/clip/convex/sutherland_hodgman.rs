@@ -19,7 +19,7 @@ use crate::{
 pub(crate) struct PolygonCorner<S: ScreenPrecision, A> {
     /// x, y and z of eye space, or x, y and depth on the screen.
     pub(crate) position: [S::Wide; 3],
-    /// What varies over the polygon.
+    /// The attributes of the corner: numbers that vary over the polygon, such as texture coordinates.
     pub(crate) attributes: A,
 }
 
@@ -27,7 +27,7 @@ pub(crate) struct PolygonCorner<S: ScreenPrecision, A> {
 pub(crate) type Polygon<S, A> = Vec<PolygonCorner<S, A>, 8>;
 
 // Not re-exported: what varies over faces is sealed.
-/// What varies over a polygon that is cut.
+/// Attributes of the corners of a polygon, such as texture coordinates, which the corners that a plane adds get as well.
 pub trait CutAttributes: Copy {
     /// Whether they vary evenly in space, and on the screen only when they are multiplied by the depth.
     const NEED_DEPTH: bool;

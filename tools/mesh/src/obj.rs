@@ -68,7 +68,7 @@ impl Reader<'_> {
                 self.model.normals.push([values[0], values[1], values[2]]);
             }
             "f" | "fo" => self.face(line, rest)?,
-            "mtllib" => self.library(rest)?,
+            "mtllib" => self.material_library(rest)?,
             "usemtl" => self.use_material(rest)?,
             "l" | "p" => self.skipped[0] += 1,
             // Names, smoothing groups, and what other programs draw with.
@@ -135,7 +135,7 @@ impl Reader<'_> {
     }
 
     /// The name of one file, perhaps with spaces, or of several.
-    fn library(&mut self, names: &str) -> anyhow::Result<()> {
+    fn material_library(&mut self, names: &str) -> anyhow::Result<()> {
         ensure!(!names.is_empty(), "mtllib names no file: write mtllib MATERIALS.mtl");
         let read = |name: &str| {
             let path = path(name)?;

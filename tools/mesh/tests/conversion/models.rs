@@ -1,11 +1,7 @@
 //! Models as strangers write them, against what can be known of them without the converter.
 
-mod common;
-/// The module of the checked-in model: it compiles.
-#[path = "models/letter.rs"]
 mod letter;
 
-use common::{CUBE, OPTIONS, convert, corners, cross, obj, png, volume};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use png::{BitDepth, ColorType};
 use zrow::{
@@ -20,9 +16,11 @@ use zrow_mesh::{
     quantize::Up,
 };
 
+use crate::common::{CUBE, Files, OPTIONS, convert, corners, cross, obj, png, read, volume};
+
 #[test]
 fn the_checked_in_module_is_what_is_converted_today() {
-    let beside: common::Files<'_> = &[
+    let beside: Files<'_> = &[
         ("letter.mtl", include_bytes!("models/letter.mtl")),
         ("letter.png", include_bytes!("models/letter.png")),
     ];
@@ -275,7 +273,7 @@ fn materials_give_colors_and_one_texture() {
         BitDepth::Eight,
         &[255, 0, 0, 255, 0, 255, 255, 0],
     );
-    let beside: common::Files<'_> = &[("lib/my materials.mtl", materials), ("lib/pictures/a b.png", &picture)];
+    let beside: Files<'_> = &[("lib/my materials.mtl", materials), ("lib/pictures/a b.png", &picture)];
     let mesh = obj(text, beside).unwrap();
     assert_eq!(mesh.colors, [[16, 0, 0], [31, 63, 31]]);
     let texture = mesh.texture.unwrap();
@@ -352,7 +350,7 @@ fn a_face_that_is_not_planar_is_named() {
 /// A cube as an STL of text, and as a binary one whose title begins with "solid", too.
 #[test]
 fn stl_of_text_and_binary_give_one_module() {
-    let cube = common::read(CUBE.as_bytes(), "cube.obj", &[]).unwrap();
+    let cube = read(CUBE.as_bytes(), "cube.obj", &[]).unwrap();
     let mut text = "solid cube\n".to_owned();
     let mut binary = [b"solid cube".as_slice(), &[0; 70], &12u32.to_le_bytes()].concat();
     for face in &cube.faces {

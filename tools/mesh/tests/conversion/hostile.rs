@@ -1,12 +1,11 @@
 //! Files that are no models: each gives an error or a model, in a moment, and no panic.
 
-mod common;
-
 use std::time::Instant;
 
-use common::{CUBE, Files, OPTIONS, Random, convert};
 use zrow::scene::FaceSet;
 use zrow_mesh::module::{self, Origin};
+
+use crate::common::{CUBE, Files, OPTIONS, Random, convert};
 
 const MODEL: &[u8] = include_bytes!("models/letter.obj");
 const MATERIALS: &[u8] = include_bytes!("models/letter.mtl");

@@ -1,9 +1,8 @@
 //! Each error says in which line of which file it is, and what to do.
 
-mod common;
-
-use common::{CUBE, OPTIONS, convert, message, obj, png};
 use png::{BitDepth, ColorType};
+
+use crate::common::{CUBE, OPTIONS, convert, message, obj, png};
 
 /// A triangle with everything: its lines 1 to 9.
 const GOOD: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\nusemtl a\nf 1/1/1 2/2/1 3/1/1\n";

@@ -1,7 +1,5 @@
 //! Models that stand in the tests.
 
-#![allow(dead_code, reason = "each test file uses some of these")]
-
 use anyhow::Context;
 use zrow_mesh::{
     mesh::{self, Mesh, Options},

@@ -1,0 +1,6 @@
+//! Models become Rust modules: what they hold, what is an error, and what hostile files do.
+
+mod common;
+mod errors;
+mod hostile;
+mod models;
