@@ -11,7 +11,7 @@ use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{DisplaySink, PictureLoop},
     scene::{Camera, Memory, Model, Pose, Rotation},
-    shade::{DirectionalLight, Lambert, LitTextured, LitTexturedSkin},
+    shade::{DirectionalLight, Lambert, LitTextured, LitTexturedSkin, Texels},
 };
 // `cargo run --release -- mesh MODEL.obj` writes such tables.
 use zrow_scenes::{
@@ -20,7 +20,7 @@ use zrow_scenes::{
 };
 
 /// The look of the scene: RGB565, and a texture of 64 x 64 texels under one light.
-type Pot = LitTextured<Rgb565, 64, 64>;
+type Pot = LitTextured<Texels<Rgb565, 64, 64>>;
 const VERTICES: usize = TEAPOT.vertices().len();
 const FACES: usize = TEAPOT.faces().len();
 
@@ -32,12 +32,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let lights = Lambert {
         ambient: U0F16::from_num(0.3),
         lights: [sun],
+        points: [],
     };
-    let (texels, coordinates, normals) = (&PORCELAIN, &TEAPOT_COORDINATES, &TEAPOT_NORMALS);
+    let (image, coordinates, normals) = (&PORCELAIN, &TEAPOT_COORDINATES, &TEAPOT_NORMALS);
     let pot = Model::<Pot>::with_skin(
         TEAPOT,
         LitTexturedSkin {
-            texels,
+            image,
             coordinates,
             normals,
             lights,

@@ -6,7 +6,7 @@ use zrow::{
     scene::{FaceSet, Model, Rotation},
     shade::{
         DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Shading,
-        Textured, TexturedSkin,
+        Texels, Textured, TexturedSkin,
     },
 };
 
@@ -41,6 +41,7 @@ pub const LIGHT: Lambert<1> = Lambert {
             Err(_) => panic!("a direction without length"),
         },
     ],
+    points: [],
 };
 
 /// Blue on white, as on porcelain: rings, and between them a row of diamonds.
@@ -167,13 +168,13 @@ impl Subject for TexturedPot {
     const SIZE: Size = SIZE;
     const DISTANCE: I16F16 = DISTANCE;
     const PORTRAIT: u32 = PORTRAIT;
-    type Shading = LitTextured<Rgb565, TEXELS, TEXELS>;
+    type Shading = LitTextured<Texels<Rgb565, TEXELS, TEXELS>>;
 
     fn model() -> Model<'static, Self::Shading> {
         shaded(
             TEAPOT,
             LitTexturedSkin {
-                texels: &PORCELAIN,
+                image: &PORCELAIN,
                 coordinates: &TEAPOT_COORDINATES,
                 normals: &TEAPOT_NORMALS,
                 lights: LIGHT,
@@ -190,7 +191,7 @@ impl Subject for TexturedSquare {
     const NAME: &'static str = "square";
     const TITLE: &'static str = "a square with a texture";
     const SIZE: Size = SIZE;
-    type Shading = Textured<Rgb565, TEXELS, TEXELS>;
+    type Shading = Textured<Texels<Rgb565, TEXELS, TEXELS>>;
 
     /// The rotation of the square in a frame: tilted back, it sways by a sixteenth of a turn to both sides.
     fn rotation(frame: u32) -> Rotation {
@@ -207,7 +208,7 @@ impl Subject for TexturedSquare {
         shaded(
             SQUARE,
             TexturedSkin {
-                texels: &PORCELAIN,
+                image: &PORCELAIN,
                 coordinates: &[[0, 8192], [8192, 8192], [8192, 0], [0, 0]],
             },
         )

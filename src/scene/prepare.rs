@@ -137,7 +137,7 @@ impl<L: Look> Preparation<'_, L> {
                 let Some((attributes_of_model, rest)) = attributes.split_at_mut_checked(vertices.len()) else {
                     break;
                 };
-                shade_vertices(model, attributes_of_model);
+                shade_vertices(model, camera, attributes_of_model);
                 attributes = rest;
             }
         }
@@ -213,10 +213,11 @@ fn transform_model<L: Look>(
 
 /// Fills in what the vertices of a model have beside their positions.
 #[inline(never)]
-fn shade_vertices<H: Shading>(model: &Model<'_, H>, attributes: &mut [H::Attributes]) {
-    let uniforms = H::uniforms(model.skin(), &model.pose);
-    for (vertex, attributes) in attributes.iter_mut().enumerate() {
-        *attributes = H::vertex(model.skin(), &uniforms, vertex);
+fn shade_vertices<H: Shading>(model: &Model<'_, H>, camera: &Camera, attributes: &mut [H::Attributes]) {
+    let uniforms = H::uniforms(model.skin(), &model.pose, camera);
+    let vertices = model.mesh().vertices().iter().enumerate();
+    for (attributes, (vertex, position)) in attributes.iter_mut().zip(vertices) {
+        *attributes = H::vertex(model.skin(), &uniforms, vertex, *position);
     }
 }
 

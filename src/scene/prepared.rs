@@ -37,7 +37,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         let fragments = frame.fill(camera, models)?;
         let Frame { tables, depths, active } = frame;
         Ok(Self {
-            faces: PreparedFaces::new(tables, models, camera.viewport()),
+            faces: PreparedFaces::new(tables, models, camera),
             depths,
             active,
             fragments,

@@ -1,7 +1,7 @@
 //! The faces of a prepared frame, by the row in which they begin: how they are drawn, each looked up with its corners and its colour
 //! when that row comes.
 
-use core::fmt;
+use core::{cell::Cell, fmt};
 
 use crate::{
     band::Band,
@@ -12,7 +12,7 @@ use crate::{
     },
     shade::{Planes, Shading},
     surface::{BandColor, Order, Target},
-    view::ScreenVertex,
+    view::{Camera, ScreenVertex},
     visible::{ColoredFace, DepthRow, DepthUse, FaceTable, NONE},
 };
 
@@ -20,10 +20,10 @@ use crate::{
 type FaceOf<'a, L> = ColoredFace<'a, <L as Look>::Precision, <L as Look>::Depth, <L as Look>::Shading>;
 
 /// What a model has beside its mesh, and what is the same for all its vertices in the frame.
-type SkinOf<'m, L> = (
-    <<L as Look>::Shading as Shading>::Skin<'m>,
-    <<L as Look>::Shading as Shading>::Uniforms,
-);
+type SkinOf<'m, L> = (<<L as Look>::Shading as Shading>::Skin<'m>, UniformsOf<L>);
+
+/// What is the same for all vertices of a model in a frame.
+type UniformsOf<L> = <<L as Look>::Shading as Shading>::Uniforms;
 
 /// The filled tables of a frame, and the models that they were filled from. Kept from row to row.
 pub(super) struct PreparedFaces<'f, 'm, L: Look> {
@@ -36,13 +36,17 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     first_faces: &'f [[u16; 3]],
     first_skin: Option<SkinOf<'m, L>>,
     pub(super) viewport: Window,
+    camera: Camera,
+    /// The number of the first face of the model that was asked for last, and its uniforms.
+    last_uniforms: Cell<Option<(u16, UniformsOf<L>)>>,
 }
 
 impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
-    pub(super) fn new(tables: Tables<'f, L>, models: &'f [Model<'m, L::Shading>], viewport: Window) -> Self {
+    pub(super) fn new(tables: Tables<'f, L>, models: &'f [Model<'m, L::Shading>], camera: &Camera) -> Self {
         let first = models.first();
         let first_faces = first.map_or(&[][..], |model| model.mesh().faces());
-        let skin = |model: &Model<'m, L::Shading>| (*model.skin(), L::Shading::uniforms(model.skin(), &model.pose));
+        let skin =
+            |model: &Model<'m, L::Shading>| (*model.skin(), L::Shading::uniforms(model.skin(), &model.pose, camera));
         Self {
             vertices: tables.vertices,
             attributes: tables.attributes,
@@ -51,7 +55,9 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
             models,
             first_faces,
             first_skin: first.map(skin),
-            viewport,
+            viewport: camera.viewport(),
+            camera: *camera,
+            last_uniforms: Cell::new(None),
         }
     }
 
@@ -120,14 +126,28 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     #[inline(never)]
     fn other_face(&self, node: u16) -> Option<FaceOf<'_, L>> {
         let (model, first_vertex, face) = faces::find(self.models, self.order(node))?;
-        let uniforms = L::Shading::uniforms(model.skin(), &model.pose);
-        let word = L::Shading::face(model.skin(), &uniforms, face)?;
+        let uniforms = self.uniforms(model, self.order(node) - face as u16);
+        let word = L::Shading::face(model.skin(), &uniforms, model.mesh(), face)?;
         let corners = if is_whole::<L>(node) {
             corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)
         } else {
             self.fragment(node)
         };
         Some((corners?, word))
+    }
+}
+
+impl<L: Look> PreparedFaces<'_, '_, L> {
+    /// The uniforms of a model whose first face has a number: kept for the next face, which mostly is of the same model.
+    fn uniforms(&self, model: &Model<'_, L::Shading>, first_face: u16) -> UniformsOf<L> {
+        match self.last_uniforms.get() {
+            Some((number, uniforms)) if number == first_face => uniforms,
+            _ => {
+                let uniforms = L::Shading::uniforms(model.skin(), &model.pose, &self.camera);
+                self.last_uniforms.set(Some((first_face, uniforms)));
+                uniforms
+            }
+        }
     }
 }
 
@@ -169,7 +189,7 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
     fn face_of_first_model(&self, node: u16) -> Option<FaceOf<'_, L>> {
         let face = self.first_faces.get(usize::from(node))?;
         let (skin, uniforms) = self.first_skin.as_ref()?;
-        let word = L::Shading::face(skin, uniforms, usize::from(node))?;
+        let word = L::Shading::face(skin, uniforms, self.models.first()?.mesh(), usize::from(node))?;
         Some((corners(self.vertices, face)?, word))
     }
 
@@ -209,7 +229,7 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         skin: &Self::Skin,
         face: <L::Color as BandColor>::Word,
         attributes: &<AttributesOf<L> as Planes>::Values,
-    ) -> <L::Color as BandColor>::Word {
+    ) -> Option<<L::Color as BandColor>::Word> {
         L::Shading::fragment(skin, face, attributes)
     }
 }

@@ -65,7 +65,8 @@ pub struct SceneItem<'f, 'm, L: Look, const MODELS: usize>(RefCell<Storage<'f, '
 struct Storage<'f, 'm, L: Look, const MODELS: usize> {
     frame: Frame<'f, L>,
     models: [Model<'m, L::Shading>; MODELS],
-    viewport: Window,
+    /// What it was prepared for; `None` where that failed.
+    camera: Option<Camera>,
     fragments: Range<usize>,
 }
 
@@ -82,7 +83,7 @@ impl<'f, 'm, L: Look, const MODELS: usize> SceneItem<'f, 'm, L, MODELS> {
         let mut storage = Storage {
             frame,
             models,
-            viewport: Window::EMPTY,
+            camera: None,
             fragments: 0..0,
         };
         storage.prepare(camera)?;
@@ -108,9 +109,9 @@ impl<'f, 'm, L: Look, const MODELS: usize> SceneItem<'f, 'm, L, MODELS> {
 
 impl<L: Look, const MODELS: usize> Storage<'_, '_, L, MODELS> {
     fn prepare(&mut self, camera: &Camera) -> Result<(), InputError> {
-        self.viewport = Window::EMPTY;
+        self.camera = None;
         self.fragments = self.frame.fill(camera, &self.models)?;
-        self.viewport = camera.viewport();
+        self.camera = Some(*camera);
         Ok(())
     }
 }
@@ -151,7 +152,10 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
                     bottom: bottom.max(y + 1),
                 })
             });
-        around.unwrap_or(Window::EMPTY).intersection(&storage.viewport)
+        match (around, &storage.camera) {
+            (Some(around), Some(camera)) => around.intersection(&camera.viewport()),
+            _ => Window::EMPTY,
+        }
     }
 
     fn draw(&self, band: &mut Band<'_, L::Color, O>) {
@@ -161,11 +165,14 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
         let Storage {
             frame,
             models,
-            viewport,
+            camera: Some(camera),
             ..
-        } = &mut *storage;
+        } = &mut *storage
+        else {
+            return;
+        };
         let Frame { tables, depths, active } = frame.reborrow();
-        let faces = PreparedFaces::new(tables, models, *viewport);
+        let faces = PreparedFaces::new(tables, models, camera);
         faces.draw(active, depths, band, DepthUse::WhereFacesMayOverlap, |_| {});
     }
 }
@@ -174,7 +181,7 @@ impl<L: Look, const MODELS: usize> fmt::Debug for SceneItem<'_, '_, L, MODELS> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut debug = formatter.debug_struct("SceneItem");
         if let Ok(storage) = self.0.try_borrow() {
-            debug.field("viewport", &storage.viewport);
+            debug.field("camera", &storage.camera);
         }
         debug.field("models", &MODELS).finish_non_exhaustive()
     }

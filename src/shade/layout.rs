@@ -72,6 +72,19 @@ pub trait Layout {
         })
     }
 
+    /// The word between two: of the other one's levels, a factor of 0 to 32 in 1/32, rounded down. 0 and 32 are the words themselves.
+    #[inline(always)]
+    fn mixed(one: Self::Word, other: Self::Word, factor: u32) -> Self::Word {
+        let (one, other) = (Self::split(one), Self::split(other));
+        // Levels below 2^8 times 2^5: two of them fit side by side.
+        let levels = Self::LOW.max() | Self::HIGH.max() << 16;
+        let rest = 32 - factor;
+        Self::join(Channels {
+            pair: ((one.pair * rest + other.pair * factor) >> 5) & levels,
+            middle: (one.middle * rest + other.middle * factor) >> 5,
+        })
+    }
+
     /// The word with these levels, which must be in range.
     #[inline]
     fn join(channels: Channels) -> Self::Word {
@@ -120,12 +133,32 @@ impl Layout for Word565 {
 
     #[inline(always)]
     fn scaled(word: u16, factor: u32) -> u16 {
-        // The middle channel lies above the others, so that all three have room for five more bits.
-        const LEVELS: u32 = 0x07e0_f81f;
-        let word = u32::from(word);
-        let product = ((((word | word << 16) & LEVELS) * factor) >> 5) & LEVELS;
-        (product | product >> 16) as u16
+        close_up(spread(word) * factor)
     }
+
+    #[inline(always)]
+    fn mixed(one: u16, other: u16, factor: u32) -> u16 {
+        let (one, other) = (spread(one), spread(other));
+        // (32 - factor) * one + factor * other, which is below 2^32; the difference may wrap.
+        close_up((one << 5).wrapping_add(other.wrapping_sub(one).wrapping_mul(factor)))
+    }
+}
+
+/// The bits of the channels of a 16-bit colour, the middle one above the others, so that all three have room for five more bits.
+const SPREAD_LEVELS: u32 = 0x07e0_f81f;
+
+/// The channels of a 16-bit colour with room for five more bits each.
+#[inline(always)]
+fn spread(word: u16) -> u32 {
+    let word = u32::from(word);
+    (word | word << 16) & SPREAD_LEVELS
+}
+
+/// The 16-bit colour of channels with five more bits, rounded down.
+#[inline(always)]
+fn close_up(channels: u32) -> u16 {
+    let levels = (channels >> 5) & SPREAD_LEVELS;
+    (levels | levels >> 16) as u16
 }
 
 /// 18-bit colours: six bits a channel, at the top of each of three bytes.

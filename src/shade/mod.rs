@@ -20,19 +20,21 @@ mod paint;
 pub(crate) mod samples;
 mod shading;
 mod span_blender;
+mod texture;
 
 pub use crate::surface::Paint;
 pub(crate) use blend::{Encoded, Gamma, TransferFunction};
 pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
 pub use channel_color::ChannelColor;
-pub(crate) use channel_color::blend_words;
+pub(crate) use channel_color::{BlendedColor, blend_words};
 pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp};
 pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
 pub use shading::{
-    Attributes, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin,
-    Perspective, Shading, Textured, TexturedSkin,
+    Attributes, Blinn, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Lambert, Lighting,
+    LitTextured, LitTexturedSkin, Perspective, PointLight, ReflectedLight, Shading, Textured, TexturedSkin,
 };
 pub(crate) use shading::{Flat, PlaneSource, Planes, Run, Shade, SpanPosition};
 pub(crate) use span_blender::SpanBlender;
+pub use texture::{Bilinear, Clamped, CutOut, Indexed, IndexedImage, Sampler, Texels, Texture};

@@ -18,7 +18,7 @@ use crate::{
         attribute_planes::set_up_attributes,
         face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
-        shaded_span::{shaded_row, span_around},
+        shaded_span::{is_seen, shaded_row, span_around, word_at},
         sides::Sides,
     },
 };
@@ -269,15 +269,22 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             let is_tied = |other: &&ActiveFace<S, H>| D::from_interpolated(other.plane.at(column, y).0) == depth;
             let in_picture = [column + self.first_column, y];
             let word = if H::Attributes::VARY {
-                shaded_row(faces, row).word_at(face, span, column)
+                word_at(faces, face, span, in_picture, self.first_column)
             } else {
-                face.word
+                Some(face.word)
             };
+            let Some(word) = word else { continue };
             row.draw_pixel(column, word, depth, || {
                 if F::DRAWS_IN_PASSES && self.passes.are_needed {
                     passes::comes_first_of_all(faces, face, self.first_column, in_picture)
                 } else {
-                    comes_first(drawn.iter().filter(is_tied), faces, order, in_picture)
+                    comes_first(
+                        drawn.iter().filter(is_tied),
+                        faces,
+                        order,
+                        in_picture,
+                        self.first_column,
+                    )
                 }
             });
         }
@@ -493,12 +500,13 @@ struct Tie {
     left_over: usize,
 }
 
-/// Whether a face comes before all faces of `drawn` that cover a pixel, in the order of models and faces.
+/// Whether a face comes before all faces of `drawn` that are seen at a pixel, in the order of models and faces.
 fn comes_first<'f, S: ScreenPrecision + 'f, D: DepthWidth, H: Shading>(
     mut drawn: impl Iterator<Item = &'f ActiveFace<S, H>>,
     faces: &impl FaceTable<S, D, H>,
     order: u16,
-    [column, row]: [i32; 2],
+    at: [i32; 2],
+    first_column: i32,
 ) -> bool {
-    !drawn.any(|face| faces.order(face.node) <= order && covers(faces, face.node, column, row))
+    !drawn.any(|face| faces.order(face.node) <= order && is_seen(faces, face, at, first_column))
 }

@@ -166,8 +166,10 @@ fn test_and_store<W: PixelWord, D: DepthWidth>(
     while let Some((pixel, stored)) = pixels.next() {
         let candidate = D::from_interpolated(depth.0);
         if candidate > *stored {
-            *stored = candidate;
-            *pixel = shade.word();
+            if let Some(word) = shade.word() {
+                *stored = candidate;
+                *pixel = word;
+            }
         } else if candidate == *stored {
             return Some(pixels.len() + 1);
         }

@@ -37,8 +37,12 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     type Skin: Copy;
     /// What the model of a node has beside its mesh.
     fn skin(&self, node: u16) -> Option<&Self::Skin>;
-    /// The word of a pixel, in the machine's byte order ([`Shading::fragment`]).
-    fn fragment(skin: &Self::Skin, face: WordOf<H>, attributes: &<H::Attributes as Planes>::Values) -> WordOf<H>;
+    /// The word of a pixel, in the machine's byte order; `None` for a hole ([`Shading::fragment`]).
+    fn fragment(
+        skin: &Self::Skin,
+        face: WordOf<H>,
+        attributes: &<H::Attributes as Planes>::Values,
+    ) -> Option<WordOf<H>>;
 }
 
 /// Sets up the parts of a face that are not small.

@@ -12,12 +12,14 @@
 //! Guarantees: each face that crosses a row comes once, and of equally near fragments the picture has the first one.
 
 use crate::{
-    shade::Shading,
+    shade::{Planes, Shading},
     view::{DepthWidth, ScreenPrecision},
     visible::{
         active_face::{ActiveFace, NOTHING, Surroundings},
+        attribute_planes::set_up_attributes,
         edge::row_after,
-        face_table::{FaceTable, NONE, covers, set_up_rest},
+        face_table::{FaceTable, NONE, set_up_rest},
+        shaded_span::is_seen,
     },
 };
 
@@ -151,7 +153,13 @@ pub(super) fn comes_first_of_all<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         if left_over != NOTHING {
             set_up_rest(&mut other, faces, left_over, &surroundings);
         }
-        if depth(&other) == depth(face) && covers(faces, node, column, row) {
+        if depth(&other) != depth(face) {
+            continue;
+        }
+        if H::Attributes::VARY {
+            set_up_attributes(&mut other, faces, [a, b, c], &surroundings);
+        }
+        if is_seen(faces, &other, [column, row], first_column) {
             return false;
         }
     }

@@ -10,7 +10,7 @@ use crate::{
         DepthRow,
         active_face::{ActiveFace, WordOf},
         depth_plane::{DepthPlane, rounding},
-        face_table::FaceTable,
+        face_table::{FaceTable, covers},
     },
 };
 
@@ -35,8 +35,8 @@ where
     O: Order,
 {
     #[inline(always)]
-    fn word(&self) -> WordOf<H> {
-        O::reorder(F::fragment(&self.skin, self.word, &self.run.values))
+    fn word(&self) -> Option<WordOf<H>> {
+        F::fragment(&self.skin, self.word, &self.run.values).map(O::reorder)
     }
 
     #[inline(always)]
@@ -85,7 +85,7 @@ where
         let skin = *self.faces.skin(face.node)?;
         let mut known = None;
         while column < last {
-            let run = self.divided_run(face, span, column, known);
+            let run = divided_run::<S, D, H>(face, span, [column, self.row.y], self.row.left, known);
             known = run.at_end;
             let run_end = run.end.min(last);
             let shade = varying::<S, D, H, F, O>(skin, face.word, run);
@@ -109,40 +109,77 @@ where
             varying::<S, D, H, F, O>(skin, face.word, run).fill(words);
         }
     }
+}
 
-    /// The word of a pixel of a span of a face, in the machine's byte order.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn word_at(&self, face: &ActiveFace<S, H>, span: [i32; 2], column: i32) -> WordOf<H> {
-        self.faces.skin(face.node).map_or(face.word, |skin| {
-            let run = if H::Attributes::are_even(&face.attributes) {
-                H::Attributes::even_run(&face.attributes, column, span[1], self.row.y)
-            } else {
-                self.divided_run(face, span, column, None)
-            };
-            F::fragment(skin, face.word, &run.values)
-        })
-    }
+/// The word of a pixel of a span of a face, in the machine's byte order; `None` for a hole. The span counts from the first column of the
+/// row, the pixel lies in the picture.
+#[cold]
+#[inline(never)]
+pub(super) fn word_at<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    face: &ActiveFace<S, H>,
+    span: [i32; 2],
+    [column, row]: [i32; 2],
+    first_column: i32,
+) -> Option<WordOf<H>> {
+    let skin = faces.skin(face.node)?;
+    let column = column - first_column;
+    let run = if H::Attributes::are_even(&face.attributes) {
+        H::Attributes::even_run(&face.attributes, column, span[1], row)
+    } else {
+        divided_run::<S, D, H>(face, span, [column, row], first_column, None)
+    };
+    fragment(faces, skin, face.word, &run.values)
+}
 
-    /// The attributes of a face that do not step evenly, from a column of a span on.
-    #[inline(always)]
-    fn divided_run(
-        &self,
-        face: &ActiveFace<S, H>,
-        span: [i32; 2],
-        column: i32,
-        known: Option<ValuesOf<H>>,
-    ) -> Run<ValuesOf<H>> {
-        let position = SpanPosition {
-            depth: &exact::<D>(&face.plane),
-            span,
-            column,
-            in_picture: column + self.row.left,
-            row: self.row.y,
-            known,
-        };
-        H::Attributes::divided_run(&face.attributes, &position)
+/// The word of a pixel of a face of a table; `None` for a hole.
+fn fragment<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+    _: &F,
+    skin: &F::Skin,
+    word: WordOf<H>,
+    values: &ValuesOf<H>,
+) -> Option<WordOf<H>> {
+    F::fragment(skin, word, values)
+}
+
+/// Whether a face covers a pixel of the picture, and is no hole there.
+#[cold]
+#[inline(never)]
+pub(super) fn is_seen<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    face: &ActiveFace<S, H>,
+    [column, row]: [i32; 2],
+    first_column: i32,
+) -> bool {
+    let is_covered = |column: &i32| covers(faces, face.node, column + first_column, row);
+    if !is_covered(&(column - first_column)) {
+        return false;
     }
+    if !H::Attributes::VARY {
+        return true;
+    }
+    let span = span_around(&is_covered, column - first_column + 1);
+    word_at(faces, face, span, [column, row], first_column).is_some()
+}
+
+/// The attributes of a face that do not step evenly, from a column of a span on.
+#[inline(always)]
+fn divided_run<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    face: &ActiveFace<S, H>,
+    span: [i32; 2],
+    [column, row]: [i32; 2],
+    first_column: i32,
+    known: Option<ValuesOf<H>>,
+) -> Run<ValuesOf<H>> {
+    let position = SpanPosition {
+        depth: &exact::<D>(&face.plane),
+        span,
+        column,
+        in_picture: column + first_column,
+        row,
+        known,
+    };
+    H::Attributes::divided_run(&face.attributes, &position)
 }
 
 /// The colours of a face along a run.

@@ -13,8 +13,8 @@ use zrow::{
     geometry::{SubPixel, TooSmall},
     scene::{Camera, FaceSet, Look, Memory, Model, Pose, Prepared},
     shade::{
-        DirectionalLight, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Perspective, Shading, Textured,
-        TexturedSkin,
+        DirectionalLight, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Perspective, Shading, Texels,
+        Textured, TexturedSkin,
     },
 };
 
@@ -61,18 +61,14 @@ macro_rules! shows_numbers {
                 skin.check(mesh)
             }
 
-            fn uniforms(_: &Numbers<'_, N>, _: &Pose) {}
+            fn uniforms(_: &Numbers<'_, N>, _: &Pose, _: &Camera) {}
 
-            fn vertex(skin: &Numbers<'_, N>, (): &(), vertex: usize) -> $attributes {
+            fn vertex(skin: &Numbers<'_, N>, (): &(), vertex: usize, _: [i16; 3]) -> $attributes {
                 $new(skin.of_vertices[vertex])
             }
 
-            fn face(_: &Numbers<'_, N>, (): &(), _: usize) -> Option<u32> {
-                Some(0)
-            }
-
-            fn fragment(skin: &Numbers<'_, N>, _: u32, values: &[i32; N]) -> u32 {
-                values[skin.shown] as u32
+            fn fragment(skin: &Numbers<'_, N>, _: u32, values: &[i32; N]) -> Option<u32> {
+                Some(values[skin.shown] as u32)
             }
         }
     };
@@ -190,6 +186,7 @@ fn lights(data: &VertexData) -> Lambert<1> {
     Lambert {
         ambient: U0F16::from_num(0.25),
         lights: [data.light],
+        points: [],
     }
 }
 
@@ -215,20 +212,20 @@ pub static TEXELS: [[u16; 16]; 16] = {
     texels
 };
 
-impl Skinned for Textured<Rgb565, 16, 16> {
+impl Skinned for Textured<Texels<Rgb565, 16, 16>> {
     fn model<'a>(mesh: &'a Mesh, data: &'a VertexData) -> Model<'a, Self> {
         let skin = TexturedSkin {
-            texels: &TEXELS,
+            image: &TEXELS,
             coordinates: &data.coordinates,
         };
         Model::with_skin(mesh.face_set(), skin).unwrap()
     }
 }
 
-impl Skinned for LitTextured<Rgb565, 16, 16> {
+impl Skinned for LitTextured<Texels<Rgb565, 16, 16>> {
     fn model<'a>(mesh: &'a Mesh, data: &'a VertexData) -> Model<'a, Self> {
         let skin = LitTexturedSkin {
-            texels: &TEXELS,
+            image: &TEXELS,
             coordinates: &data.coordinates,
             normals: &data.normals,
             lights: lights(data),

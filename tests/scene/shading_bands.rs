@@ -11,7 +11,7 @@ use zrow::{
     band::{Band, BandColor},
     draw::{Picture, PictureSlot},
     scene::{Camera, Deep, Fine, Look, Memory, Model, Pose, Prepared, SceneItem},
-    shade::{Gouraud, LitTextured, Textured},
+    shade::{Gouraud, LitTextured, Texels, Textured},
 };
 
 use crate::common::meshes::Mesh;
@@ -164,8 +164,8 @@ fn check<H: Skinned<Color: RgbColor>>(meshes: &[Mesh; 2], data: &[VertexData; 2]
 
 fn check_all(meshes: &[Mesh; 2], data: &[VertexData; 2], pose: Pose, camera: &Camera) {
     check::<Gouraud<Rgb565>>(meshes, data, pose, camera);
-    check::<Textured<Rgb565, 16, 16>>(meshes, data, pose, camera);
-    check::<LitTextured<Rgb565, 16, 16>>(meshes, data, pose, camera);
+    check::<Textured<Texels<Rgb565, 16, 16>>>(meshes, data, pose, camera);
+    check::<LitTextured<Texels<Rgb565, 16, 16>>>(meshes, data, pose, camera);
     check::<Even<2>>(meshes, data, pose, camera);
     check::<InSpace<2>>(meshes, data, pose, camera);
     check::<InSpace<2, 16>>(meshes, data, pose, camera);

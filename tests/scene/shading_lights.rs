@@ -28,6 +28,7 @@ fn lambert<const LIGHTS: usize>(ambient: u16, lights: [Light; LIGHTS]) -> Lamber
     Lambert {
         ambient: U0F16::from_bits(ambient),
         lights: lights.map(directional),
+        points: [],
     }
 }
 
@@ -109,8 +110,8 @@ fn levels<const LIGHTS: usize>(lights: Lambert<LIGHTS>, normal: [i8; 2], rotatio
         lights,
     };
     [
-        level_of::<Gouraud<Rgb888, LIGHTS>>(&mesh, smooth, rotation),
-        level_of::<FlatLit<Rgb888, LIGHTS>>(&mesh, flat, rotation),
+        level_of::<Gouraud<Rgb888, Lambert<LIGHTS>>>(&mesh, smooth, rotation),
+        level_of::<FlatLit<Rgb888, Lambert<LIGHTS>>>(&mesh, flat, rotation),
     ]
 }
 

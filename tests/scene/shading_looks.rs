@@ -11,7 +11,7 @@ use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
     scene::{Deep, DepthWidth, Fine, Frame, Look, Memory, Model, OnePass, Pose, Rotation, ScreenPrecision, Whole},
-    shade::{Attributes, Gouraud, LitTextured, Shading, Textured},
+    shade::{Attributes, Gouraud, LitTextured, Shading, Texels, Textured},
 };
 
 use crate::common::{config, meshes};
@@ -118,12 +118,12 @@ fn every_pair_of_wrappers_goes_around_gouraud_shading() {
 
 #[test]
 fn every_pair_of_wrappers_goes_around_textures() {
-    check_pairs::<Textured<Rgb565, 16, 16>>();
+    check_pairs::<Textured<Texels<Rgb565, 16, 16>>>();
 }
 
 #[test]
 fn every_pair_of_wrappers_goes_around_lit_textures() {
-    check_pairs::<LitTextured<Rgb565, 16, 16>>();
+    check_pairs::<LitTextured<Texels<Rgb565, 16, 16>>>();
 }
 
 /// A scene that needs neither cuts nor passes is the same picture without them, and what needs them is an error.
@@ -148,8 +148,8 @@ fn check_refusals<H: Skinned<Color = Rgb565>>() {
 #[test]
 fn shaded_looks_refuse_what_they_do_without() {
     check_refusals::<Gouraud<Rgb565>>();
-    check_refusals::<Textured<Rgb565, 16, 16>>();
-    check_refusals::<LitTextured<Rgb565, 16, 16>>();
+    check_refusals::<Textured<Texels<Rgb565, 16, 16>>>();
+    check_refusals::<LitTextured<Texels<Rgb565, 16, 16>>>();
 }
 
 /// What a shading keeps of a vertex is its attributes, and a flat one keeps nothing.
@@ -167,7 +167,7 @@ fn memory_of_a_vertex_is_that_of_its_attributes() {
         (grown::<Gouraud<Rgb565>>(), attributes::<Gouraud<Rgb565>>()),
         (1_200, 6)
     );
-    assert_eq!(grown::<Textured<Rgb565, 16, 16>>(), 1_000);
-    assert_eq!(grown::<LitTextured<Rgb565, 16, 16>>(), 1_200);
-    assert_eq!(grown::<Fine<Textured<Rgb565, 16, 16>>>(), 1_600);
+    assert_eq!(grown::<Textured<Texels<Rgb565, 16, 16>>>(), 1_000);
+    assert_eq!(grown::<LitTextured<Texels<Rgb565, 16, 16>>>(), 1_200);
+    assert_eq!(grown::<Fine<Textured<Texels<Rgb565, 16, 16>>>>(), 1_600);
 }

@@ -16,7 +16,7 @@ use zrow::{
     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation, Whole},
     shade::{
         ChannelColor, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured,
-        LitTexturedSkin, Shading, Textured, TexturedSkin,
+        LitTexturedSkin, Shading, Texels, Textured, TexturedSkin,
     },
 };
 
@@ -33,6 +33,7 @@ use crate::snapped_faces::{at, camera, snapped};
 const FULL: Lambert<0> = Lambert {
     ambient: U0F16::MAX,
     lights: [],
+    points: [],
 };
 
 /// The words of an area of a scene of one model, on words of the background.
@@ -74,14 +75,14 @@ where
             normals: &[],
             lights: FULL,
         };
-        let model = Model::<Gouraud<C, 0>>::with_skin(mesh.face_set(), skin).unwrap();
+        let model = Model::<Gouraud<C, Lambert<0>>>::with_skin(mesh.face_set(), skin).unwrap();
         let smooth = drawn(model.with_pose(before_camera()), &camera, background.to_word());
         let skin = FlatLitSkin {
             colors: &[color],
             normals: &[[0; 2]; 2],
             lights: FULL,
         };
-        let model = Model::<FlatLit<C, 0>>::with_skin(mesh.face_set(), skin).unwrap();
+        let model = Model::<FlatLit<C, Lambert<0>>>::with_skin(mesh.face_set(), skin).unwrap();
         let flat = drawn(model.with_pose(before_camera()), &camera, background.to_word());
         for words in [smooth, flat] {
             assert!(
@@ -129,9 +130,9 @@ fn channels_stay_between<C: Channels>(corners: [[i16; 3]; 3], levels: [[u32; 3];
         lights: FULL,
     };
     let area = camera.viewport().to_rectangle();
-    let model = Model::<Gouraud<C, 0>>::with_skin(mesh.face_set(), skin).unwrap();
+    let model = Model::<Gouraud<C, Lambert<0>>>::with_skin(mesh.face_set(), skin).unwrap();
     let models = [model];
-    let mut memory = Box::new(SmallMemory::<Gouraud<C, 0>>::new());
+    let mut memory = Box::new(SmallMemory::<Gouraud<C, Lambert<0>>>::new());
     let mut prepared = memory.prepare(&camera, &models).unwrap();
     let faces = snapped(&prepared);
     let mut words = vec![C::from_channels([0; 3]).to_word(); (area.size.width * area.size.height) as usize];
@@ -172,13 +173,13 @@ proptest! {
         pose in pose(-200..2500),
     ) {
         let camera = camera(area(48, 40));
-        let skin = TexturedSkin { texels: &TEXELS, coordinates: &coordinates };
-        let textured = Model::<Textured<Rgb565, 16, 16>>::with_skin(mesh.face_set(), skin).unwrap();
+        let skin = TexturedSkin { image: &TEXELS, coordinates: &coordinates };
+        let textured = Model::<Textured<Texels<Rgb565, 16, 16>>>::with_skin(mesh.face_set(), skin).unwrap();
         let expected = drawn(textured.with_pose(pose), &camera, 0);
         let light = DirectionalLight::from_direction([I16F16::ONE; 3], U0F16::MAX).unwrap();
-        let lights = Lambert { ambient: U0F16::MAX, lights: [light] };
-        let skin = LitTexturedSkin { texels: &TEXELS, coordinates: &coordinates, normals: &normals, lights };
-        let lit = Model::<LitTextured<Rgb565, 16, 16>>::with_skin(mesh.face_set(), skin).unwrap();
+        let lights = Lambert { ambient: U0F16::MAX, lights: [light], points: [] };
+        let skin = LitTexturedSkin { image: &TEXELS, coordinates: &coordinates, normals: &normals, lights };
+        let lit = Model::<LitTextured<Texels<Rgb565, 16, 16>>>::with_skin(mesh.face_set(), skin).unwrap();
         prop_assert!(drawn(lit.with_pose(pose), &camera, 0) == expected);
     }
 }
@@ -198,21 +199,25 @@ fn a_texture_that_faces_the_camera_is_copied() {
     let coordinates = [[0, 0], [4_096, 0], [4_096, 4_096], [0, 4_096]];
     let mesh = FaceSet::new(&vertices, &[[0, 1, 2], [0, 2, 3]]).unwrap();
     let skin = TexturedSkin {
-        texels: &TEXELS,
+        image: &TEXELS,
         coordinates: &coordinates,
     };
-    let model = Model::<Textured<Rgb565, 16, 16>>::with_skin(mesh, skin).unwrap();
+    let model = Model::<Textured<Texels<Rgb565, 16, 16>>>::with_skin(mesh, skin).unwrap();
     assert_eq!(drawn(model, &camera, 0), TEXELS.concat());
 
     let lit = |ambient| {
-        let lights = Lambert { ambient, lights: [] };
+        let lights = Lambert {
+            ambient,
+            lights: [],
+            points: [],
+        };
         let skin = LitTexturedSkin {
-            texels: &TEXELS,
+            image: &TEXELS,
             coordinates: &coordinates,
             normals: &[[0; 2]; 4],
             lights,
         };
-        let model = Model::<LitTextured<Rgb565, 16, 16, 0>>::with_skin(mesh, skin).unwrap();
+        let model = Model::<LitTextured<Texels<Rgb565, 16, 16>, Lambert<0>>>::with_skin(mesh, skin).unwrap();
         drawn(model, &camera, 0)
     };
     assert_eq!(lit(U0F16::MAX), TEXELS.concat());
@@ -236,11 +241,13 @@ fn skins_that_are_too_short_are_errors() {
     let lights = Lambert {
         ambient: U0F16::MAX,
         lights: [],
+        points: [],
     };
     let light = DirectionalLight::from_direction([I16F16::ONE; 3], U0F16::MAX).unwrap();
     let directed = Lambert {
         ambient: U0F16::MAX,
         lights: [light],
+        points: [],
     };
 
     let gouraud = |colors: usize, normals: usize| {
@@ -270,14 +277,14 @@ fn skins_that_are_too_short_are_errors() {
         normals: &[],
         lights,
     };
-    assert!(Model::<Gouraud<Rgb565, 0>>::with_skin(mesh.face_set(), unlit).is_ok());
+    assert!(Model::<Gouraud<Rgb565, Lambert<0>>>::with_skin(mesh.face_set(), unlit).is_ok());
 
     let textured = |count: usize| {
         let skin = TexturedSkin {
-            texels: &TEXELS,
+            image: &TEXELS,
             coordinates: &coordinates[..count],
         };
-        Model::<Textured<Rgb565, 16, 16>>::with_skin(mesh.face_set(), skin).err()
+        Model::<Textured<Texels<Rgb565, 16, 16>>>::with_skin(mesh.face_set(), skin).err()
     };
     assert_eq!(textured(3), Some(TooSmall::TextureCoordinates(4)));
     assert_eq!(textured(4), None);
@@ -285,12 +292,12 @@ fn skins_that_are_too_short_are_errors() {
     let lit = |count: usize, count_of_normals: usize| {
         let (coordinates, normals) = (&coordinates[..count], &normals[..count_of_normals]);
         let skin = LitTexturedSkin {
-            texels: &TEXELS,
+            image: &TEXELS,
             coordinates,
             normals,
             lights: directed,
         };
-        Model::<LitTextured<Rgb565, 16, 16>>::with_skin(mesh.face_set(), skin).err()
+        Model::<LitTextured<Texels<Rgb565, 16, 16>>>::with_skin(mesh.face_set(), skin).err()
     };
     assert_eq!(lit(3, 0), Some(TooSmall::TextureCoordinates(4)));
     assert_eq!(lit(4, 3), Some(TooSmall::Normals(4)));
@@ -303,14 +310,14 @@ fn skins_that_are_too_short_are_errors() {
 /// After each error of preparing, the memory draws the next frame as a new one does.
 #[test]
 fn memory_is_of_use_after_an_error() {
-    type Look = Whole<Gouraud<Rgb565, 0>>;
+    type Look = Whole<Gouraud<Rgb565, Lambert<0>>>;
     let (mesh, camera) = (square(), camera(area(8, 8)));
     let skin = GouraudSkin {
         colors: &[Rgb565::RED, Rgb565::BLUE],
         normals: &[],
         lights: FULL,
     };
-    let model = Model::<Gouraud<Rgb565, 0>>::with_skin(mesh.face_set(), skin).unwrap();
+    let model = Model::<Gouraud<Rgb565, Lambert<0>>>::with_skin(mesh.face_set(), skin).unwrap();
     let good = [model.with_pose(before_camera())];
     let picture = |memory: &mut Memory<Look, 4, 2, 8, 8, 2>| {
         let mut words = [0; 64];
@@ -351,26 +358,22 @@ impl Shading for Marked {
     type Uniforms = u16;
     type Attributes = [i16; 1];
 
-    fn check(_: &u16, _: &FaceSet<'_>) -> Result<(), TooSmall> {
-        Ok(())
-    }
-
-    fn uniforms(skin: &u16, _: &Pose) -> u16 {
+    fn uniforms(skin: &u16, _: &Pose, _: &Camera) -> u16 {
         *skin
     }
 
-    fn vertex(_: &u16, uniforms: &u16, _: usize) -> [i16; 1] {
+    fn vertex(_: &u16, uniforms: &u16, _: usize, _: [i16; 3]) -> [i16; 1] {
         [*uniforms as i16]
     }
 
-    fn face(_: &u16, uniforms: &u16, _: usize) -> Option<u32> {
+    fn face(_: &u16, uniforms: &u16, _: &FaceSet<'_>, _: usize) -> Option<u32> {
         Some(u32::from(*uniforms))
     }
 
-    fn fragment(skin: &u16, face: u32, [number]: &[i32; 1]) -> u32 {
+    fn fragment(skin: &u16, face: u32, [number]: &[i32; 1]) -> Option<u32> {
         // All three are the model's own, or the word is no number of a model.
         let same = face == u32::from(*skin) && *number >> 16 == i32::from(*skin);
-        if same { face } else { u32::MAX }
+        Some(if same { face } else { u32::MAX })
     }
 }
 

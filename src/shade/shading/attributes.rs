@@ -10,8 +10,8 @@ use crate::{
     geometry::{ScreenPlane, quotient_nearest},
 };
 
-/// What a vertex has beside its position, which varies over faces: nothing (`()`), or some 16-bit numbers (`[i16; N]`), which vary
-/// evenly on the screen.
+/// What a vertex has beside its position, which varies over faces: nothing (`()`), some 16-bit numbers (`[i16; N]`), which vary
+/// evenly on the screen, numbers that vary evenly in space ([`Perspective`](crate::shade::Perspective)), or a pair of these.
 ///
 /// Memory: 2 bytes a number for each vertex, and 12 for each active face.
 pub trait Attributes: Copy + Debug + Planes {
@@ -27,13 +27,17 @@ pub trait Planes: CutAttributes {
     type Values: Copy + Debug;
     /// What an active face keeps of the attributes of its corners.
     type Planes: Copy + Debug;
+    /// How far attributes that vary evenly in space may be off, in units of each.
+    type Tolerance: Copy;
+    /// No tolerance.
+    const EXACT: Self::Tolerance;
     /// Whether there are any attributes.
     const VARY: bool;
     /// The planes of a slot that has no face.
     const NO_PLANES: Self::Planes;
 
     /// Sets the planes of a face up. Attributes that vary evenly in space may be wrong by `tolerance` units.
-    fn set_up(corners: [Self; 3], face: &impl PlaneSource, tolerance: u16) -> Self::Planes;
+    fn set_up(corners: [Self; 3], face: &impl PlaneSource, tolerance: Self::Tolerance) -> Self::Planes;
 
     /// Whether the attributes step evenly along whole spans of the face.
     fn are_even(planes: &Self::Planes) -> bool;
@@ -103,11 +107,13 @@ impl CutAttributes for () {
 impl Planes for () {
     type Values = ();
     type Planes = ();
+    type Tolerance = ();
+    const EXACT: () = ();
     const VARY: bool = false;
     const NO_PLANES: () = ();
 
     #[inline]
-    fn set_up(_: [(); 3], _: &impl PlaneSource, _: u16) {}
+    fn set_up(_: [(); 3], _: &impl PlaneSource, (): ()) {}
 
     #[inline]
     fn are_even((): &()) -> bool {
@@ -158,6 +164,8 @@ impl<const N: usize> CutAttributes for [i16; N] {
 impl<const N: usize> Planes for [i16; N] {
     type Values = [i32; N];
     type Planes = [ScreenPlane; N];
+    type Tolerance = u16;
+    const EXACT: u16 = 0;
     const VARY: bool = true;
     const NO_PLANES: [ScreenPlane; N] = [ScreenPlane::ZERO; N];
 
@@ -195,5 +203,110 @@ impl<const N: usize> Planes for [i16; N] {
         for (value, gain) in values.iter_mut().zip(per_column) {
             *value = (Wrapping(*value) + Wrapping(*gain)).0;
         }
+    }
+}
+
+impl<A: Attributes, B: Attributes> Attributes for (A, B) {
+    const ZERO: Self = (A::ZERO, B::ZERO);
+}
+
+impl<A: CutAttributes, B: CutAttributes> CutAttributes for (A, B) {
+    const NEED_DEPTH: bool = A::NEED_DEPTH || B::NEED_DEPTH;
+
+    fn between(from: &Self, to: &Self, part: u64, whole: NonZeroU64) -> Self {
+        (
+            A::between(&from.0, &to.0, part, whole),
+            B::between(&from.1, &to.1, part, whole),
+        )
+    }
+}
+
+impl<A: Planes, B: Planes> Planes for (A, B) {
+    type Values = (A::Values, B::Values);
+    type Planes = (A::Planes, B::Planes);
+    type Tolerance = (A::Tolerance, B::Tolerance);
+    const EXACT: Self::Tolerance = (A::EXACT, B::EXACT);
+    const VARY: bool = A::VARY || B::VARY;
+    const NO_PLANES: Self::Planes = (A::NO_PLANES, B::NO_PLANES);
+
+    #[inline]
+    fn set_up(corners: [Self; 3], face: &impl PlaneSource, (first, second): Self::Tolerance) -> Self::Planes {
+        (
+            A::set_up(corners.map(|corner| corner.0), face, first),
+            B::set_up(corners.map(|corner| corner.1), face, second),
+        )
+    }
+
+    #[inline]
+    fn are_even((first, second): &Self::Planes) -> bool {
+        A::are_even(first) && B::are_even(second)
+    }
+
+    #[inline(always)]
+    fn even_run((first, second): &Self::Planes, column: i32, end: i32, row: i32) -> Run<Self::Values> {
+        both(
+            A::even_run(first, column, end, row),
+            B::even_run(second, column, end, row),
+        )
+    }
+
+    #[inline]
+    fn divided_run((first, second): &Self::Planes, position: &SpanPosition<'_, Self::Values>) -> Run<Self::Values> {
+        let of_first = position.with(position.known.map(|values| values.0));
+        let of_second = position.with(position.known.map(|values| values.1));
+        both(run::<A>(first, &of_first), run::<B>(second, &of_second))
+    }
+
+    #[inline(always)]
+    fn step(values: &mut Self::Values, per_column: &Self::Values) {
+        A::step(&mut values.0, &per_column.0);
+        B::step(&mut values.1, &per_column.1);
+    }
+}
+
+impl<V> SpanPosition<'_, V> {
+    /// The same position for other attributes.
+    fn with<W>(&self, known: Option<W>) -> SpanPosition<'_, W> {
+        let Self {
+            depth,
+            span,
+            column,
+            in_picture,
+            row,
+            ..
+        } = *self;
+        SpanPosition {
+            depth,
+            span,
+            column,
+            in_picture,
+            row,
+            known,
+        }
+    }
+}
+
+/// The run of one of a pair of attributes, which may be even where the other is not.
+#[inline]
+fn run<A: Planes>(planes: &A::Planes, position: &SpanPosition<'_, A::Values>) -> Run<A::Values> {
+    if A::are_even(planes) {
+        A::even_run(planes, position.column, position.span[1], position.row)
+    } else {
+        A::divided_run(planes, position)
+    }
+}
+
+/// The run of a pair of attributes, as far as both of them reach.
+#[inline(always)]
+fn both<A: Copy, B: Copy>(first: Run<A>, second: Run<B>) -> Run<(A, B)> {
+    Run {
+        values: (first.values, second.values),
+        per_column: (first.per_column, second.per_column),
+        end: first.end.min(second.end),
+        // Of those that are even nobody asks for what is known.
+        at_end: match (first.at_end, second.at_end) {
+            (None, None) => None,
+            (one, other) => Some((one.unwrap_or(first.values), other.unwrap_or(second.values))),
+        },
     }
 }

@@ -5,7 +5,7 @@ use crate::{
     mesh::FaceSet,
     shade::{Shade, Shading},
     surface::BandColor,
-    view::Pose,
+    view::{Camera, Pose},
 };
 
 impl<C: BandColor> Shading for C {
@@ -24,19 +24,19 @@ impl<C: BandColor> Shading for C {
     }
 
     #[inline]
-    fn uniforms(_: &&[C], _: &Pose) {}
+    fn uniforms(_: &&[C], _: &Pose, _: &Camera) {}
 
     #[inline]
-    fn vertex(_: &&[C], (): &(), _: usize) {}
+    fn vertex(_: &&[C], (): &(), _: usize, _: [i16; 3]) {}
 
     #[inline]
-    fn face(colors: &&[C], (): &(), face: usize) -> Option<C::Word> {
+    fn face(colors: &&[C], (): &(), _: &FaceSet<'_>, face: usize) -> Option<C::Word> {
         colors.get(face).map(|color| color.to_word())
     }
 
     #[inline]
-    fn fragment(_: &&[C], face: C::Word, (): &()) -> C::Word {
-        face
+    fn fragment(_: &&[C], face: C::Word, (): &()) -> Option<C::Word> {
+        Some(face)
     }
 }
 
@@ -45,8 +45,8 @@ pub(crate) struct Flat<W>(pub W);
 
 impl<W: Copy> Shade<W> for Flat<W> {
     #[inline]
-    fn word(&self) -> W {
-        self.0
+    fn word(&self) -> Option<W> {
+        Some(self.0)
     }
 
     #[inline]

@@ -11,36 +11,39 @@ use crate::{
     mesh::{FaceSet, unit_normal},
     shade::{
         ChannelColor, Shading,
-        layout::{Channels, Layout},
-        shading::lambert::{LIGHT_BITS, Lambert, ModelLights},
+        layout::{Channel, Channels, Layout},
+        shading::{
+            lambert::Lambert,
+            lighting::{LIGHT_BITS, Lighting, ReflectedLight},
+        },
     },
-    view::Pose,
+    view::{Camera, Pose},
 };
 
-/// A colour for each face under `LIGHTS` lights, the same all over the face.
+/// A colour for each face under lights ([`Lighting`]), the same all over the face.
 ///
 /// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<FlatLit<Rgb565>>`.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FlatLit<C, const LIGHTS: usize = 1>(PhantomData<C>);
+pub struct FlatLit<C, L = Lambert<1>>(PhantomData<(C, L)>);
 
 /// What [`FlatLit`] shading takes beside a mesh.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FlatLitSkin<'a, C, const LIGHTS: usize = 1> {
+pub struct FlatLitSkin<'a, C, L = Lambert<1>> {
     /// The colours of the faces; the last one is that of all faces after it, so that one colour does for a model.
     pub colors: &'a [C],
     /// The normals of the faces, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| + |y| + |z|;
     /// where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y.
     pub normals: &'a [[i8; 2]],
     /// The lights.
-    pub lights: Lambert<LIGHTS>,
+    pub lights: L,
 }
 
-impl<C: ChannelColor, const LIGHTS: usize> Shading for FlatLit<C, LIGHTS> {
+impl<C: ChannelColor, L: Lighting> Shading for FlatLit<C, L> {
     type Color = C;
-    type Skin<'a> = FlatLitSkin<'a, C, LIGHTS>;
-    type Uniforms = ModelLights<LIGHTS>;
+    type Skin<'a> = FlatLitSkin<'a, C, L>;
+    type Uniforms = L::OfModel;
     type Attributes = ();
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
@@ -54,34 +57,56 @@ impl<C: ChannelColor, const LIGHTS: usize> Shading for FlatLit<C, LIGHTS> {
         Ok(())
     }
 
-    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose) -> ModelLights<LIGHTS> {
-        skin.lights.seen_from(pose)
+    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose, camera: &Camera) -> L::OfModel {
+        skin.lights.seen_from(pose, camera)
     }
 
     #[inline]
-    fn vertex(_: &Self::Skin<'_>, _: &ModelLights<LIGHTS>, _: usize) {}
+    fn vertex(_: &Self::Skin<'_>, _: &L::OfModel, _: usize, _: [i16; 3]) {}
 
     #[inline]
-    fn face(skin: &Self::Skin<'_>, lights: &ModelLights<LIGHTS>, face: usize) -> Option<C::Word> {
+    fn face(skin: &Self::Skin<'_>, lights: &L::OfModel, mesh: &FaceSet<'_>, face: usize) -> Option<C::Word> {
         let normal = skin.normals.get(face)?;
         let color = skin.colors.get(face).or(skin.colors.last())?;
-        Some(lit::<C::Layout>(color.to_word(), lights.on(unit_normal(*normal))))
+        let position = if L::NEEDS_POSITIONS { middle(mesh, face) } else { [0; 3] };
+        let light = L::reflected(lights, unit_normal(*normal), position);
+        Some(lit::<C::Layout>(color.to_word(), light))
     }
 
     #[inline]
-    fn fragment(_: &Self::Skin<'_>, face: C::Word, (): &()) -> C::Word {
-        face
+    fn fragment(_: &Self::Skin<'_>, face: C::Word, (): &()) -> Option<C::Word> {
+        Some(face)
     }
 }
 
-/// A word whose levels are multiplied by a light in 1/32,768 and rounded to the nearest.
+/// The middle of a face: the mean of its corners.
+fn middle(mesh: &FaceSet<'_>, face: usize) -> [i16; 3] {
+    let mut middle = [0; 3];
+    for corner in mesh.faces().get(face).into_iter().flatten() {
+        let position = mesh.vertices().get(usize::from(*corner)).copied().unwrap_or_default();
+        for (sum, coordinate) in middle.iter_mut().zip(position) {
+            *sum += i32::from(coordinate);
+        }
+    }
+    middle.map(|sum| (sum / 3) as i16)
+}
+
+/// A word under a light: its levels multiplied by the diffuse part and rounded to the nearest, and the highlight added.
 #[inline]
-fn lit<L: Layout>(word: L::Word, light: i32) -> L::Word {
+fn lit<L: Layout>(word: L::Word, light: ReflectedLight) -> L::Word {
     let Channels { pair, middle } = L::split(word);
-    // A level of 8 bits at most times 2^15.
-    let level = |level: u32| (level * light as u32 + (1 << (LIGHT_BITS - 1))) >> LIGHT_BITS;
+    let level = |channel: Channel, level: u32| {
+        // A level of 8 bits at most times 2^15.
+        let scaled = |level: u32, light: i32| (level * light as u32 + (1 << (LIGHT_BITS - 1))) >> LIGHT_BITS;
+        let lit = scaled(level, light.diffuse);
+        if light.specular > 0 {
+            (lit + scaled(channel.max(), light.specular)).min(channel.max())
+        } else {
+            lit
+        }
+    };
     L::join(Channels {
-        pair: level(pair & 0xffff) | level(pair >> 16) << 16,
-        middle: level(middle),
+        pair: level(L::LOW, pair & 0xffff) | level(L::HIGH, pair >> 16) << 16,
+        middle: level(L::MIDDLE, middle),
     })
 }

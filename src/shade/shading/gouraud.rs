@@ -16,35 +16,38 @@ use crate::{
     shade::{
         ChannelColor, Shading,
         layout::{Channel, Channels, Layout},
-        shading::lambert::{LIGHT_BITS, Lambert, ModelLights},
+        shading::{
+            lambert::Lambert,
+            lighting::{FULL, LIGHT_BITS, Lighting, ReflectedLight},
+        },
     },
-    view::Pose,
+    view::{Camera, Pose},
 };
 
-/// Colours at the vertices under `LIGHTS` lights, and evenly between them on the screen (Gouraud 1971).
+/// Colours at the vertices under lights ([`Lighting`]), and evenly between them on the screen (Gouraud 1971).
 ///
 /// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Gouraud<Rgb565>>`.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Gouraud<C, const LIGHTS: usize = 1>(PhantomData<C>);
+pub struct Gouraud<C, L = Lambert<1>>(PhantomData<(C, L)>);
 
 /// What [`Gouraud`] shading takes beside a mesh.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GouraudSkin<'a, C, const LIGHTS: usize = 1> {
+pub struct GouraudSkin<'a, C, L = Lambert<1>> {
     /// The colours of the vertices; the last one is that of all vertices after it, so that one colour does for a model.
     pub colors: &'a [C],
     /// The normals of the vertices, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| + |y| + |z|;
     /// where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y. Not used without lights.
     pub normals: &'a [[i8; 2]],
     /// The lights.
-    pub lights: Lambert<LIGHTS>,
+    pub lights: L,
 }
 
-impl<C: ChannelColor, const LIGHTS: usize> Shading for Gouraud<C, LIGHTS> {
+impl<C: ChannelColor, L: Lighting> Shading for Gouraud<C, L> {
     type Color = C;
-    type Skin<'a> = GouraudSkin<'a, C, LIGHTS>;
-    type Uniforms = ModelLights<LIGHTS>;
+    type Skin<'a> = GouraudSkin<'a, C, L>;
+    type Uniforms = L::OfModel;
     type Attributes = [i16; 3];
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
@@ -52,36 +55,31 @@ impl<C: ChannelColor, const LIGHTS: usize> Shading for Gouraud<C, LIGHTS> {
         if skin.colors.is_empty() && vertices > 0 {
             return Err(TooSmall::Colors(1));
         }
-        if LIGHTS > 0 && skin.normals.len() < vertices {
+        if L::NEEDS_NORMALS && skin.normals.len() < vertices {
             return Err(TooSmall::Normals(vertices));
         }
         Ok(())
     }
 
-    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose) -> ModelLights<LIGHTS> {
-        skin.lights.seen_from(pose)
+    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose, camera: &Camera) -> L::OfModel {
+        skin.lights.seen_from(pose, camera)
     }
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, lights: &ModelLights<LIGHTS>, vertex: usize) -> [i16; 3] {
+    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i16; 3]) -> [i16; 3] {
         let color = skin.colors.get(vertex).or(skin.colors.last());
-        let normal = if LIGHTS == 0 {
-            [0; 3]
-        } else {
+        let normal = if L::NEEDS_NORMALS {
             unit_normal(skin.normals.get(vertex).copied().unwrap_or_default())
+        } else {
+            [0; 3]
         };
         let word = color.map_or(C::Layout::narrow(0), |color| color.to_word());
-        levels::<C::Layout>(C::Layout::split(word), lights.on(normal))
-    }
-
-    #[inline]
-    fn face(_: &Self::Skin<'_>, _: &ModelLights<LIGHTS>, _: usize) -> Option<C::Word> {
-        Some(C::Layout::narrow(0))
+        levels::<C::Layout>(C::Layout::split(word), L::reflected(lights, normal, position))
     }
 
     #[inline(always)]
-    fn fragment(_: &Self::Skin<'_>, _: C::Word, [low, middle, high]: &[i32; 3]) -> C::Word {
-        word_of::<C>([*low, *middle, *high])
+    fn fragment(_: &Self::Skin<'_>, _: C::Word, [low, middle, high]: &[i32; 3]) -> Option<C::Word> {
+        Some(word_of::<C>([*low, *middle, *high]))
     }
 }
 
@@ -90,15 +88,19 @@ const CHANNEL_BITS: u32 = 12;
 
 /// The levels of the channels of a colour under a light, as fractions of the channel in 1/4,096, in the middle of the level.
 #[inline]
-fn levels<L: Layout>(Channels { pair, middle }: Channels, light: i32) -> [i16; 3] {
+fn levels<L: Layout>(Channels { pair, middle }: Channels, light: ReflectedLight) -> [i16; 3] {
     let level = |channel: Channel, level: u32| {
         if channel.bits == 0 {
             return 0;
         }
         // Half a level from both ends: what rounding adds stays between them.
         let half = 1 << (CHANNEL_BITS - 1 - channel.bits);
-        let full = (level << (CHANNEL_BITS - channel.bits)) as i32;
-        (((full * light) >> LIGHT_BITS) + half) as i16
+        let scaled = |level: u32, light: i32| (((level << (CHANNEL_BITS - channel.bits)) as i32) * light) >> LIGHT_BITS;
+        let mut lit = scaled(level, light.diffuse);
+        if light.specular > 0 {
+            lit = (lit + scaled(channel.max(), light.specular)).min(scaled(channel.max(), FULL));
+        }
+        (lit + half) as i16
     };
     [
         level(L::LOW, pair & 0xffff),

@@ -4,69 +4,85 @@
 //!
 //! Cost of a pixel: three additions, a texel, a multiplication.
 
-use core::marker::PhantomData;
+use core::{fmt, marker::PhantomData};
 
 use crate::{
     geometry::TooSmall,
     mesh::{FaceSet, unit_normal},
     shade::{
-        ChannelColor, Shading,
+        BlendedColor, ChannelColor, Sampler, Shading, Texture,
         layout::Layout,
         shading::{
-            lambert::{LIGHT_BITS, Lambert, ModelLights},
+            lambert::Lambert,
+            lighting::{FULL, LIGHT_BITS, Lighting, ReflectedLight},
             perspective::Perspective,
-            textured::{check_coordinates, texel, tolerance},
+            textured::check_coordinates,
         },
+        texture::{ImageOf, tolerance},
     },
-    view::Pose,
+    surface::BandColor,
+    view::{Camera, Pose},
 };
 
-/// A texture of `WIDTH` x `HEIGHT` texels, powers of two, which repeats in both directions, under `LIGHTS` lights.
+/// A picture on each face, of a [`Texture`] or of what a [`Sampler`] makes of one, under lights ([`Lighting`]).
 ///
-/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<LitTextured<Rgb565, 64, 64>>`.
+/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<LitTextured<Texels<Rgb565, 64, 64>>>`.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct LitTextured<C, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usize = 1>(PhantomData<C>);
+pub struct LitTextured<T, L = Lambert<1>>(PhantomData<(T, L)>);
 
 /// What [`LitTextured`] shading takes beside a mesh.
-#[derive(Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct LitTexturedSkin<'a, C: ChannelColor, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usize = 1> {
-    /// The texels, row by row, as words of the colour ([`BandColor::to_word`](crate::surface::BandColor::to_word)).
-    pub texels: &'a [[C::Word; WIDTH]; HEIGHT],
+pub struct LitTexturedSkin<'a, T: Sampler, L = Lambert<1>> {
+    /// The picture.
+    pub image: ImageOf<'a, T>,
     /// The texture coordinates of the vertices, in 1/4,096 of the texture: u to the right, v down.
     pub coordinates: &'a [[i16; 2]],
     /// The normals of the vertices, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| + |y| + |z|;
     /// where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y.
     pub normals: &'a [[i8; 2]],
     /// The lights.
-    pub lights: Lambert<LIGHTS>,
+    pub lights: L,
 }
 
-impl<C: ChannelColor, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usize> Copy
-    for LitTexturedSkin<'_, C, WIDTH, HEIGHT, LIGHTS>
-{
-}
+impl<T: Sampler, L: Copy> Copy for LitTexturedSkin<'_, T, L> {}
 
-impl<C: ChannelColor, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usize> Clone
-    for LitTexturedSkin<'_, C, WIDTH, HEIGHT, LIGHTS>
-{
+impl<T: Sampler, L: Copy> Clone for LitTexturedSkin<'_, T, L> {
     fn clone(&self) -> Self {
         *self
+    }
+}
+
+impl<T: Sampler, L: fmt::Debug> fmt::Debug for LitTexturedSkin<'_, T, L> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut debug = formatter.debug_struct("LitTexturedSkin");
+        debug.field("coordinates", &self.coordinates);
+        debug.field("normals", &self.normals);
+        debug.field("lights", &self.lights).finish_non_exhaustive()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<T: Sampler, L: defmt::Format> defmt::Format for LitTexturedSkin<'_, T, L> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(
+            formatter,
+            "LitTexturedSkin {} normals {} under {}",
+            self.coordinates,
+            self.normals,
+            self.lights
+        );
     }
 }
 
 /// Fractional bits of the light that a texel is multiplied with.
 const FACTOR_BITS: u32 = 5;
 
-impl<C: ChannelColor, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usize> Shading
-    for LitTextured<C, WIDTH, HEIGHT, LIGHTS>
-{
-    type Color = C;
-    type Skin<'a> = LitTexturedSkin<'a, C, WIDTH, HEIGHT, LIGHTS>;
-    type Uniforms = ModelLights<LIGHTS>;
+impl<T: Sampler<Texture: Texture<Color: ChannelColor>>, L: Lighting> Shading for LitTextured<T, L> {
+    type Color = <T::Texture as Texture>::Color;
+    type Skin<'a> = LitTexturedSkin<'a, T, L>;
+    type Uniforms = L::OfModel;
     type Attributes = Perspective<3>;
-    const TOLERANCE: u16 = tolerance(WIDTH, HEIGHT);
+    const TOLERANCE: u16 = tolerance::<T::Texture>();
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         check_coordinates(skin.coordinates, mesh)?;
@@ -77,30 +93,34 @@ impl<C: ChannelColor, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usi
         Ok(())
     }
 
-    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose) -> ModelLights<LIGHTS> {
-        skin.lights.seen_from(pose)
+    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose, camera: &Camera) -> L::OfModel {
+        skin.lights.seen_from(pose, camera)
     }
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, lights: &ModelLights<LIGHTS>, vertex: usize) -> Perspective<3> {
+    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i16; 3]) -> Perspective<3> {
         let [u, v] = skin.coordinates.get(vertex).copied().unwrap_or_default();
         let normal = unit_normal(skin.normals.get(vertex).copied().unwrap_or_default());
-        let light = (lights.on(normal) * BRIGHTEST) >> (LIGHT_BITS - LIGHT_FRACTION_BITS);
+        let ReflectedLight { diffuse, specular } = L::reflected(lights, normal, position);
+        let light = ((diffuse + specular).min(FULL) * BRIGHTEST) >> (LIGHT_BITS - LIGHT_FRACTION_BITS);
         // Half a step above, to be rounded to the nearest.
         Perspective([u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16])
     }
 
-    #[inline]
-    fn face(_: &Self::Skin<'_>, _: &ModelLights<LIGHTS>, _: usize) -> Option<C::Word> {
-        Some(C::Layout::narrow(0))
-    }
-
     #[inline(always)]
-    fn fragment(skin: &Self::Skin<'_>, _: C::Word, [u, v, light]: &[i32; 3]) -> C::Word {
+    fn fragment(
+        skin: &Self::Skin<'_>,
+        _: <Self::Color as BandColor>::Word,
+        [u, v, light]: &[i32; 3],
+    ) -> Option<<Self::Color as BandColor>::Word> {
         let light = (light >> (16 + LIGHT_FRACTION_BITS)).clamp(0, BRIGHTEST);
         let light = light as u32;
+        let texel = T::sample(&skin.image, [*u, *v])?;
         // Both ends are exact: 0 and 32 of 32.
-        C::Layout::scaled(texel(skin.texels, [*u, *v]), light + (light >> (FACTOR_BITS - 1)))
+        Some(<Self::Color as BlendedColor>::Layout::scaled(
+            texel,
+            light + (light >> (FACTOR_BITS - 1)),
+        ))
     }
 }
 

@@ -6,25 +6,39 @@
 //! at each pixel of a face.
 
 mod attributes;
+mod blinn;
 mod flat;
+
 mod flat_lit;
+mod foggy;
 mod gouraud;
 mod lambert;
+mod lighting;
 mod lit_textured;
 mod perspective;
+mod point_light;
 mod textured;
 
 pub use attributes::Attributes;
 pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
+pub use blinn::Blinn;
 pub(crate) use flat::Flat;
 pub use flat_lit::{FlatLit, FlatLitSkin};
+pub use foggy::{Fog, Foggy};
 pub use gouraud::{Gouraud, GouraudSkin};
 pub use lambert::{DirectionalLight, Lambert};
+pub use lighting::{Lighting, ReflectedLight};
 pub use lit_textured::{LitTextured, LitTexturedSkin};
 pub use perspective::Perspective;
+pub use point_light::PointLight;
 pub use textured::{Textured, TexturedSkin};
 
-use crate::{geometry::TooSmall, mesh::FaceSet, surface::BandColor, view::Pose};
+use crate::{
+    geometry::TooSmall,
+    mesh::FaceSet,
+    surface::{BandColor, PixelWord},
+    view::{Camera, Pose},
+};
 
 /// How the faces of a model get their colours. Every colour is the plainest shading: one colour a face.
 ///
@@ -39,7 +53,7 @@ use crate::{geometry::TooSmall, mesh::FaceSet, surface::BandColor, view::Pose};
 /// use fixed::types::I16F16;
 /// use zrow::{
 ///     band::Band,
-///     geometry::{InputError, TooSmall},
+///     geometry::InputError,
 ///     scene::{Camera, FaceSet, Memory, Model, Pose, Whole},
 ///     shade::Shading,
 /// };
@@ -48,39 +62,27 @@ use crate::{geometry::TooSmall, mesh::FaceSet, surface::BandColor, view::Pose};
 ///
 /// impl Shading for Nearness {
 ///     type Color = Gray8;
-///     /// The vertices of the mesh once more.
-///     type Skin<'a> = &'a [[i16; 3]];
+///     type Skin<'a> = ();
 ///     type Uniforms = ();
 ///     /// The level of grey, which varies evenly on the screen.
 ///     type Attributes = [i16; 1];
 ///
-///     fn check(vertices: &&[[i16; 3]], mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
-///         let needed = mesh.vertices().len();
-///         if vertices.len() < needed { Err(TooSmall::Vertices(needed)) } else { Ok(()) }
-///     }
+///     fn uniforms(_: &(), _: &Pose, _: &Camera) {}
 ///
-///     fn uniforms(_: &&[[i16; 3]], _: &Pose) {}
-///
-///     fn vertex(vertices: &&[[i16; 3]], (): &(), vertex: usize) -> [i16; 1] {
-///         let [_, _, z] = vertices.get(vertex).copied().unwrap_or_default();
+///     fn vertex(_: &(), _: &(), _: usize, [_, _, z]: [i16; 3]) -> [i16; 1] {
 ///         [(128 - z / 8).clamp(0, 255)]
 ///     }
 ///
-///     fn face(_: &&[[i16; 3]], (): &(), _: usize) -> Option<u8> {
-///         Some(0)
-///     }
-///
-///     fn fragment(_: &&[[i16; 3]], _: u8, [level]: &[i32; 1]) -> u8 {
-///         (level >> 16) as u8
+///     fn fragment(_: &(), _: u8, [level]: &[i32; 1]) -> Option<u8> {
+///         Some((level >> 16) as u8)
 ///     }
 /// }
 ///
-/// let vertices = [[-512, -512, -256], [0, 512, 256], [512, -512, -256]];
-/// let mesh = FaceSet::new(&vertices, &[[0, 1, 2]])?;
+/// let mesh = FaceSet::new(&[[-512, -512, -256], [0, 512, 256], [512, -512, -256]], &[[0, 1, 2]])?;
 /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
 /// let camera = Camera::new(area, I16F16::from_num(128))?;
 /// let mut memory = Memory::<Whole<Nearness>, 3, 1, 64, 64>::new();
-/// let mut model = Model::<Nearness>::with_skin(mesh, &vertices)?;
+/// let mut model = Model::<Nearness>::with_skin(mesh, ())?;
 /// model.pose.translation = [0, 0, 1024].map(I16F16::from_num);
 /// let models = [model];
 /// let mut scene = memory.prepare(&camera, &models)?;
@@ -99,41 +101,53 @@ pub trait Shading: 'static {
     type Skin<'a>: Copy;
     /// What is the same for all vertices of a model in a frame, such as the directions of lights as the model sees them.
     type Uniforms: Copy;
-    /// What varies over a face: `()`, or `[i16; N]`.
+    /// What varies over a face: `()`, `[i16; N]`, [`Perspective<N>`](Perspective), or a pair of these.
     type Attributes: Attributes;
     /// How far attributes that vary evenly in space may be from the exact ones, in their own units: where a face is so small or so
-    /// far away that no attribute is farther off, it is drawn without divisions.
-    const TOLERANCE: u16 = 0;
+    /// far away that no attribute is farther off, it is drawn without divisions. One number, or a pair for a pair of attributes.
+    const TOLERANCE: <Self::Attributes as Planes>::Tolerance = <Self::Attributes as Planes>::EXACT;
 
     /// Checks that a skin has what a mesh needs.
     ///
     /// # Errors
     /// [`TooSmall`] with how much would do.
-    fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall>;
+    #[inline]
+    fn check(_skin: &Self::Skin<'_>, _mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
+        Ok(())
+    }
 
-    /// Computes what is the same for all vertices of a model. Called once a model and frame.
-    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose) -> Self::Uniforms;
+    /// Computes what is the same for all vertices of a model that is in a pose before a camera. Called once a model and frame.
+    fn uniforms(skin: &Self::Skin<'_>, pose: &Pose, camera: &Camera) -> Self::Uniforms;
 
-    /// The attributes of a vertex of the mesh. Called once a vertex and frame.
-    fn vertex(skin: &Self::Skin<'_>, uniforms: &Self::Uniforms, vertex: usize) -> Self::Attributes;
+    /// The attributes of a vertex of the mesh: its index, and its position in the mesh. Called once a vertex and frame.
+    fn vertex(skin: &Self::Skin<'_>, uniforms: &Self::Uniforms, vertex: usize, position: [i16; 3]) -> Self::Attributes;
 
     /// The word of a face of the mesh, before anything varies over it. `None` for a face that is not drawn. Called when
     /// rows reach the face.
-    fn face(skin: &Self::Skin<'_>, uniforms: &Self::Uniforms, face: usize) -> Option<<Self::Color as BandColor>::Word>;
+    #[inline]
+    fn face(
+        _skin: &Self::Skin<'_>,
+        _uniforms: &Self::Uniforms,
+        _mesh: &FaceSet<'_>,
+        _face: usize,
+    ) -> Option<<Self::Color as BandColor>::Word> {
+        Some(PixelWord::ZERO)
+    }
 
     /// The word of a pixel of a face, from the word of the face and the attributes at the pixel, each with 16 fractional bits: in a
-    /// byte order that is the machine's. Called once a pixel where attributes vary; otherwise the word of the face is the pixel's.
+    /// byte order that is the machine's. `None` for a hole, through which what is behind is seen. Called once a pixel where
+    /// attributes vary; otherwise the word of the face is the pixel's.
     fn fragment(
         skin: &Self::Skin<'_>,
         face: <Self::Color as BandColor>::Word,
         attributes: &<Self::Attributes as Planes>::Values,
-    ) -> <Self::Color as BandColor>::Word;
+    ) -> Option<<Self::Color as BandColor>::Word>;
 }
 
 /// The colours of the fragments along a span, from left to right.
 pub(crate) trait Shade<W> {
-    /// The word of the fragment at the current pixel.
-    fn word(&self) -> W;
+    /// The word of the fragment at the current pixel; `None` for a hole.
+    fn word(&self) -> Option<W>;
 
     /// Moves on to the next pixel of the row, whether the last fragment was visible or not.
     fn step_right(&mut self);
@@ -141,8 +155,10 @@ pub(crate) trait Shade<W> {
     /// Fills pixels, and moves on to the one after them.
     #[inline(always)]
     fn fill(&mut self, words: &mut [W]) {
-        for word in words {
-            *word = self.word();
+        for pixel in words {
+            if let Some(word) = self.word() {
+                *pixel = word;
+            }
             self.step_right();
             // Keeps the compiler from unrolling: most spans are shorter than what it would prepare for.
             core::hint::black_box(());

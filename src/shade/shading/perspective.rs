@@ -65,6 +65,8 @@ impl<const N: usize> CutAttributes for Perspective<N> {
 impl<const N: usize> Planes for Perspective<N> {
     type Values = [i32; N];
     type Planes = PerspectivePlanes<N>;
+    type Tolerance = u16;
+    const EXACT: u16 = 0;
     const VARY: bool = true;
     const NO_PLANES: PerspectivePlanes<N> = PerspectivePlanes {
         planes: [ScreenPlane::ZERO; N],

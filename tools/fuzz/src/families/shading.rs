@@ -14,7 +14,7 @@ use zrow::{
     scene::{Camera, Deep, FaceSet, Fine, Look, Memory, Model, Pose, Prepared, Whole},
     shade::{
         ChannelColor, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured,
-        LitTexturedSkin, Shading, Textured, TexturedSkin,
+        LitTexturedSkin, Shading, Texels, Textured, TexturedSkin,
     },
 };
 
@@ -163,11 +163,12 @@ fn lambert<C: BandColor, const LIGHTS: usize>(tables: &Tables<C>) -> Lambert<LIG
     Lambert {
         ambient: tables.ambient,
         lights: core::array::from_fn(|light| tables.lights[light]),
+        points: [],
     }
 }
 
-impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnyShading for FlatLit<C, LIGHTS> {
-    fn skin(tables: &Tables<C>) -> FlatLitSkin<'_, C, LIGHTS> {
+impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnyShading for FlatLit<C, Lambert<LIGHTS>> {
+    fn skin(tables: &Tables<C>) -> FlatLitSkin<'_, C, Lambert<LIGHTS>> {
         FlatLitSkin {
             colors: &tables.colors,
             normals: &tables.face_normals,
@@ -176,8 +177,8 @@ impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnySha
     }
 }
 
-impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnyShading for Gouraud<C, LIGHTS> {
-    fn skin(tables: &Tables<C>) -> GouraudSkin<'_, C, LIGHTS> {
+impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnyShading for Gouraud<C, Lambert<LIGHTS>> {
+    fn skin(tables: &Tables<C>) -> GouraudSkin<'_, C, Lambert<LIGHTS>> {
         GouraudSkin {
             colors: &tables.colors,
             normals: &tables.normals,
@@ -186,19 +187,21 @@ impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnySha
     }
 }
 
-impl<C: BandColor + From<<C as PixelColor>::Raw>> AnyShading for Textured<C, 8, 4> {
-    fn skin(tables: &Tables<C>) -> TexturedSkin<'_, C, 8, 4> {
+impl<C: BandColor + From<<C as PixelColor>::Raw>> AnyShading for Textured<Texels<C, 8, 4>> {
+    fn skin(tables: &Tables<C>) -> TexturedSkin<'_, Texels<C, 8, 4>> {
         TexturedSkin {
-            texels: &tables.wide,
+            image: &tables.wide,
             coordinates: &tables.coordinates,
         }
     }
 }
 
-impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnyShading for LitTextured<C, 1, 16, LIGHTS> {
-    fn skin(tables: &Tables<C>) -> LitTexturedSkin<'_, C, 1, 16, LIGHTS> {
+impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnyShading
+    for LitTextured<Texels<C, 1, 16>, Lambert<LIGHTS>>
+{
+    fn skin(tables: &Tables<C>) -> LitTexturedSkin<'_, Texels<C, 1, 16>, Lambert<LIGHTS>> {
         LitTexturedSkin {
-            texels: &tables.high,
+            image: &tables.high,
             coordinates: &tables.coordinates,
             normals: &tables.normals,
             lights: lambert(tables),
@@ -406,33 +409,41 @@ impl Case for ShadingCase {
     fn check(&self) -> Verdict {
         match (self.method, self.kind) {
             (Method::FlatLit, Kind::Rgb565) => self.check_kind::<FlatLit<Rgb565>>(),
-            (Method::FlatLit, Kind::FineRgb565) => self.check_kind::<Fine<FlatLit<Rgb565, 3>>>(),
-            (Method::FlatLit, Kind::DeepRgb565) => self.check_kind::<Deep<FlatLit<Rgb565, 0>>>(),
-            (Method::FlatLit, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<FlatLit<Rgb565, 2>>>>(),
+            (Method::FlatLit, Kind::FineRgb565) => self.check_kind::<Fine<FlatLit<Rgb565, Lambert<3>>>>(),
+            (Method::FlatLit, Kind::DeepRgb565) => self.check_kind::<Deep<FlatLit<Rgb565, Lambert<0>>>>(),
+            (Method::FlatLit, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<FlatLit<Rgb565, Lambert<2>>>>>(),
             (Method::FlatLit, Kind::DeepGray8) => self.check_kind::<Deep<FlatLit<Gray8>>>(),
             (Method::FlatLit, Kind::FineBinary) => self.check_kind::<Fine<FlatLit<BinaryColor>>>(),
-            (Method::FlatLit, Kind::Rgb888) => self.check_kind::<FlatLit<Rgb888, 2>>(),
+            (Method::FlatLit, Kind::Rgb888) => self.check_kind::<FlatLit<Rgb888, Lambert<2>>>(),
             (Method::Gouraud, Kind::Rgb565) => self.check_kind::<Gouraud<Rgb565>>(),
-            (Method::Gouraud, Kind::FineRgb565) => self.check_kind::<Fine<Gouraud<Rgb565, 3>>>(),
-            (Method::Gouraud, Kind::DeepRgb565) => self.check_kind::<Deep<Gouraud<Rgb565, 0>>>(),
-            (Method::Gouraud, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<Gouraud<Rgb565, 2>>>>(),
+            (Method::Gouraud, Kind::FineRgb565) => self.check_kind::<Fine<Gouraud<Rgb565, Lambert<3>>>>(),
+            (Method::Gouraud, Kind::DeepRgb565) => self.check_kind::<Deep<Gouraud<Rgb565, Lambert<0>>>>(),
+            (Method::Gouraud, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<Gouraud<Rgb565, Lambert<2>>>>>(),
             (Method::Gouraud, Kind::DeepGray8) => self.check_kind::<Deep<Gouraud<Gray8>>>(),
             (Method::Gouraud, Kind::FineBinary) => self.check_kind::<Fine<Gouraud<BinaryColor>>>(),
-            (Method::Gouraud, Kind::Rgb888) => self.check_kind::<Gouraud<Rgb888, 2>>(),
-            (Method::Textured, Kind::Rgb565) => self.check_kind::<Textured<Rgb565, 8, 4>>(),
-            (Method::Textured, Kind::FineRgb565) => self.check_kind::<Fine<Textured<Rgb565, 8, 4>>>(),
-            (Method::Textured, Kind::DeepRgb565) => self.check_kind::<Deep<Textured<Rgb565, 8, 4>>>(),
-            (Method::Textured, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<Textured<Rgb565, 8, 4>>>>(),
-            (Method::Textured, Kind::DeepGray8) => self.check_kind::<Deep<Textured<Gray8, 8, 4>>>(),
-            (Method::Textured, Kind::FineBinary) => self.check_kind::<Fine<Textured<BinaryColor, 8, 4>>>(),
-            (Method::Textured, Kind::Rgb888) => self.check_kind::<Textured<Rgb888, 8, 4>>(),
-            (Method::LitTextured, Kind::Rgb565) => self.check_kind::<LitTextured<Rgb565, 1, 16>>(),
-            (Method::LitTextured, Kind::FineRgb565) => self.check_kind::<Fine<LitTextured<Rgb565, 1, 16, 3>>>(),
-            (Method::LitTextured, Kind::DeepRgb565) => self.check_kind::<Deep<LitTextured<Rgb565, 1, 16, 0>>>(),
-            (Method::LitTextured, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<LitTextured<Rgb565, 1, 16>>>>(),
-            (Method::LitTextured, Kind::DeepGray8) => self.check_kind::<Deep<LitTextured<Gray8, 1, 16>>>(),
-            (Method::LitTextured, Kind::FineBinary) => self.check_kind::<Fine<LitTextured<BinaryColor, 1, 16>>>(),
-            (Method::LitTextured, Kind::Rgb888) => self.check_kind::<LitTextured<Rgb888, 1, 16, 2>>(),
+            (Method::Gouraud, Kind::Rgb888) => self.check_kind::<Gouraud<Rgb888, Lambert<2>>>(),
+            (Method::Textured, Kind::Rgb565) => self.check_kind::<Textured<Texels<Rgb565, 8, 4>>>(),
+            (Method::Textured, Kind::FineRgb565) => self.check_kind::<Fine<Textured<Texels<Rgb565, 8, 4>>>>(),
+            (Method::Textured, Kind::DeepRgb565) => self.check_kind::<Deep<Textured<Texels<Rgb565, 8, 4>>>>(),
+            (Method::Textured, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<Textured<Texels<Rgb565, 8, 4>>>>>(),
+            (Method::Textured, Kind::DeepGray8) => self.check_kind::<Deep<Textured<Texels<Gray8, 8, 4>>>>(),
+            (Method::Textured, Kind::FineBinary) => self.check_kind::<Fine<Textured<Texels<BinaryColor, 8, 4>>>>(),
+            (Method::Textured, Kind::Rgb888) => self.check_kind::<Textured<Texels<Rgb888, 8, 4>>>(),
+            (Method::LitTextured, Kind::Rgb565) => self.check_kind::<LitTextured<Texels<Rgb565, 1, 16>>>(),
+            (Method::LitTextured, Kind::FineRgb565) => {
+                self.check_kind::<Fine<LitTextured<Texels<Rgb565, 1, 16>, Lambert<3>>>>()
+            }
+            (Method::LitTextured, Kind::DeepRgb565) => {
+                self.check_kind::<Deep<LitTextured<Texels<Rgb565, 1, 16>, Lambert<0>>>>()
+            }
+            (Method::LitTextured, Kind::FineDeepRgb565) => {
+                self.check_kind::<Fine<Deep<LitTextured<Texels<Rgb565, 1, 16>>>>>()
+            }
+            (Method::LitTextured, Kind::DeepGray8) => self.check_kind::<Deep<LitTextured<Texels<Gray8, 1, 16>>>>(),
+            (Method::LitTextured, Kind::FineBinary) => {
+                self.check_kind::<Fine<LitTextured<Texels<BinaryColor, 1, 16>>>>()
+            }
+            (Method::LitTextured, Kind::Rgb888) => self.check_kind::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>(),
         }
     }
 }

@@ -6,7 +6,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     scene::{Look, Memory},
-    shade::{FlatLit, Gouraud, LitTextured, Textured},
+    shade::{FlatLit, Gouraud, LitTextured, Texels, Textured},
 };
 use zrow_scenes::{
     standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage},
@@ -47,9 +47,9 @@ pub type FlatLitTeapot = Stage<FlatLitPot, FlatLit<Rgb565>, 560, 992, 91, 240, 3
 /// The Utah teapot in one colour under a light.
 pub type GouraudTeapot = Stage<GouraudPot, Gouraud<Rgb565>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with a texture under a light.
-pub type TexturedTeapot = Stage<TexturedPot, LitTextured<Rgb565, 64, 64>, 560, 992, 91, 240, 320>;
+pub type TexturedTeapot = Stage<TexturedPot, LitTextured<Texels<Rgb565, 64, 64>>, 560, 992, 91, 240, 320>;
 /// A square of up to 200 x 200 pixels with a texture in perspective.
-pub type TexturedQuad = Stage<TexturedSquare, Textured<Rgb565, 64, 64>, 4, 2, 2, 240, 320>;
+pub type TexturedQuad = Stage<TexturedSquare, Textured<Texels<Rgb565, 64, 64>>, 4, 2, 2, 240, 320>;
 
 /// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row, and the size of the
 /// picture.

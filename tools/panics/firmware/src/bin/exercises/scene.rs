@@ -12,7 +12,7 @@ use zrow::{
         Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Prepared, SceneItem, ScreenPrecision,
         Whole,
     },
-    shade::{FlatLit, Gouraud, LitTextured, Shading, Textured},
+    shade::{FlatLit, Gouraud, Lambert, LitTextured, Shading, Texels, Textured},
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
@@ -31,20 +31,20 @@ pub const EXERCISES: &[fn()] = &[
     memory::<Rgb888, Sub8, u32, true>,
     look::<Fine<Whole<Rgb565>>>,
     shaded::<FlatLit<Rgb565>>,
-    shaded::<FlatLit<Gray4, 0>>,
+    shaded::<FlatLit<Gray4, Lambert<0>>>,
     shaded::<Gouraud<Rgb565>>,
-    shaded::<Gouraud<Gray4, 3>>,
-    shaded::<Textured<BinaryColor, 8, 4>>,
-    shaded::<Textured<Rgb565, 64, 64>>,
-    shaded::<LitTextured<Rgb565, 64, 64>>,
-    shaded::<LitTextured<Rgb888, 1, 16, 2>>,
+    shaded::<Gouraud<Gray4, Lambert<3>>>,
+    shaded::<Textured<Texels<BinaryColor, 8, 4>>>,
+    shaded::<Textured<Texels<Rgb565, 64, 64>>>,
+    shaded::<LitTextured<Texels<Rgb565, 64, 64>>>,
+    shaded::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>,
     shaded::<EvenStripes>,
     shaded::<Stripes>,
     model,
     scene_item::<LookOf<Rgb565, Sub4, u16, true>>,
     scene_item::<LookOf<Gray4, Sub8, u32, true>>,
     scene_item::<Gouraud<Rgb565>>,
-    scene_item::<Whole<LitTextured<Rgb565, 64, 64>>>,
+    scene_item::<Whole<LitTextured<Texels<Rgb565, 64, 64>>>>,
 ];
 
 #[inline(never)]

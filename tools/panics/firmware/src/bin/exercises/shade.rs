@@ -9,7 +9,7 @@ use zrow::{
     shade::{
         Attributes, BlendTarget, ChannelColor, ConeFilter, DirectionalLight, FlatLit, FlatLitSkin, Gouraud,
         GouraudSkin, Lambert, LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective,
-        RadialGradient, Ramp, SampleFilter, SampleTarget, Shading, Textured, TexturedSkin,
+        RadialGradient, Ramp, SampleFilter, SampleTarget, Shading, Texels, Textured, TexturedSkin,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
@@ -61,14 +61,14 @@ pub const EXERCISES: &[fn()] = &[
     attributes::<Perspective<2>>,
     shading::<Rgb565>,
     shading::<FlatLit<Rgb565>>,
-    shading::<FlatLit<Rgb888, 4>>,
+    shading::<FlatLit<Rgb888, Lambert<4>>>,
     shading::<Gouraud<Rgb565>>,
-    shading::<Gouraud<BinaryColor, 0>>,
-    shading::<Gouraud<Rgb888, 16>>,
-    shading::<Textured<Gray8, 1, 4096>>,
-    shading::<Textured<Rgb565, 64, 64>>,
-    shading::<LitTextured<Rgb565, 64, 64>>,
-    shading::<LitTextured<Rgb888, 1, 16, 16>>,
+    shading::<Gouraud<BinaryColor, Lambert<0>>>,
+    shading::<Gouraud<Rgb888, Lambert<16>>>,
+    shading::<Textured<Texels<Gray8, 1, 4096>>>,
+    shading::<Textured<Texels<Rgb565, 64, 64>>>,
+    shading::<LitTextured<Texels<Rgb565, 64, 64>>>,
+    shading::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<16>>>,
     shading::<Stripes>,
 ];
 
@@ -176,8 +176,8 @@ fn lights() {
 fn skins() {
     eq::<FlatLitSkin<'_, Rgb565>>();
     eq::<GouraudSkin<'_, Rgb565>>();
-    eq::<TexturedSkin<'_, Rgb565, 64, 64>>();
-    eq::<LitTexturedSkin<'_, Rgb565, 64, 64>>();
+    eq::<TexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
+    eq::<LitTexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
     eq::<Perspective<2>>();
 }
 
@@ -189,9 +189,9 @@ fn attributes<A: Attributes>() {
 #[inline(never)]
 fn shading<H: Shading>() {
     keep(<H as Shading>::check(any(), any()));
-    keep(<H as Shading>::uniforms(any(), any()));
-    keep(<H as Shading>::vertex(any(), any(), any()));
-    keep(<H as Shading>::face(any(), any(), any()));
+    keep(<H as Shading>::uniforms(any(), any(), any()));
+    keep(<H as Shading>::vertex(any(), any(), any(), any()));
+    keep(<H as Shading>::face(any(), any(), any(), any()));
     keep(<H as Shading>::fragment(any(), any(), any()));
     keep(H::TOLERANCE);
 }
@@ -217,19 +217,19 @@ macro_rules! own_shading {
                 any()
             }
 
-            fn uniforms(_: &Self::Skin<'_>, _: &Pose) -> i32 {
+            fn uniforms(_: &Self::Skin<'_>, _: &Pose, _: &Camera) -> i32 {
                 any()
             }
 
-            fn vertex(_: &Self::Skin<'_>, _: &i32, _: usize) -> Self::Attributes {
+            fn vertex(_: &Self::Skin<'_>, _: &i32, _: usize, _: [i16; 3]) -> Self::Attributes {
                 any()
             }
 
-            fn face(_: &Self::Skin<'_>, _: &i32, _: usize) -> Option<<Rgb565 as BandColor>::Word> {
+            fn face(_: &Self::Skin<'_>, _: &i32, _: &FaceSet<'_>, _: usize) -> Option<<Rgb565 as BandColor>::Word> {
                 any()
             }
 
-            fn fragment(skin: &Self::Skin<'_>, face: u16, values: &$values) -> u16 {
+            fn fragment(skin: &Self::Skin<'_>, face: u16, values: &$values) -> Option<u16> {
                 values
                     .iter()
                     .fold(face, |word, value| match skin.get(*value as usize) {

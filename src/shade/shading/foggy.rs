@@ -1,0 +1,189 @@
+//! Fog: the farther away, the more of a colour has the place of a surface's own.
+//!
+//! ```text
+//!     fog 1 |            ____      how far a point is between start and end, which grows evenly in space, is interpolated
+//!           |        ___/          over a face in perspective; a curve, a table of 64 steps, says how much fog that is
+//!         0 |_______/
+//!           +-------|----|--->
+//!                 start  end       distance along the camera's axis
+//! ```
+//!
+//! Guarantees: fog has 33 steps; in front of its start each pixel keeps its colour, and behind its end it has the fog's. The depth of
+//! a pixel in the fog is within 1/64 of the way from start to end, for faces that reach no farther than 64 times that way from its
+//! start.
+//!
+//! Cost of a pixel: an addition, a look-up, and two multiplications' worth of mixing.
+//!
+//! Source: linear and exponential fog as in OpenGL 1.0 (Segal and Akeley 1992).
+
+use core::{marker::PhantomData, num::NonZeroU64};
+
+use fixed::types::I16F16;
+
+use crate::{
+    geometry::{Sub4, TooSmall, quotient_nearest},
+    mesh::FaceSet,
+    shade::{BlendedColor, ChannelColor, Planes, Shading, layout::Layout, shading::perspective::Perspective},
+    surface::BandColor,
+    view::{Camera, EyeTransform, Pose},
+};
+
+/// The shading `H` in a fog.
+///
+/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Foggy<Rgb565>>`, `Foggy<Gouraud<Rgb565>>`. A model's skin is
+/// what the shading in the fog takes, and the [`Fog`]: `(skin, fog)`.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Foggy<H>(PhantomData<H>);
+
+/// A fog: from where to where along the camera's axis it gets thicker, and how.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Fog<'a, C> {
+    /// The colour in and behind the thickest fog.
+    pub color: C,
+    /// The distance from which on there is fog.
+    #[cfg_attr(feature = "defmt", defmt(Debug2Format))]
+    pub start: I16F16,
+    /// The distance from which on nothing else is seen, at least one unit beyond the start.
+    #[cfg_attr(feature = "defmt", defmt(Debug2Format))]
+    pub end: I16F16,
+    /// How much fog there is at 64 distances from start to end, in 1/32: at most 32. [`Fog::LINEAR`], [`Fog::EXPONENTIAL`], or any.
+    pub curve: &'a [u8; 64],
+}
+
+impl Fog<'static, ()> {
+    /// Fog that grows evenly with the distance.
+    pub const LINEAR: &'static [u8; 64] = &{
+        let mut curve = [0; 64];
+        let (mut rest, mut step) = (&mut curve as &mut [u8], 0);
+        while let [fog, others @ ..] = rest {
+            // 0 at the first step and 32 at the last.
+            *fog = ((step * 32 + 31) / 63) as u8;
+            (rest, step) = (others, step + 1);
+        }
+        curve
+    };
+
+    /// Fog as thick everywhere, of which light loses an even part on each unit of its way: 1 - e^(-4 x), and all at the end.
+    pub const EXPONENTIAL: &'static [u8; 64] = &{
+        let mut curve = [0; 64];
+        // e^(-4/63) with 32 fractional bits.
+        const LEFT_A_STEP: u64 = 4_030_747_640;
+        let (mut rest, mut left) = (&mut curve as &mut [u8], 1u64 << 32);
+        while let [fog, others @ ..] = rest {
+            let is_last = others.is_empty();
+            *fog = if is_last {
+                32
+            } else {
+                32 - ((left * 32 + (1 << 31)) >> 32) as u8
+            };
+            (rest, left) = (others, (left * LEFT_A_STEP) >> 32);
+        }
+        curve
+    };
+}
+
+/// The fog as a model sees it, and what is the same for all its vertices in the shading within.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct FogOfModel<U> {
+    within: U,
+    #[cfg_attr(feature = "defmt", defmt(Debug2Format))]
+    transform: EyeTransform<Sub4>,
+    /// Where the fog starts, in 1/4096 unit.
+    start: i32,
+    /// The way from start to end in 1/4096 unit, at least one unit.
+    way: i64,
+    /// The reciprocal of that, with 40 fractional bits, times a whole way.
+    per_unit: i64,
+}
+
+/// Fractional bits of a distance at the vertices, in parts of the way from start to end.
+const DISTANCE_BITS: u32 = 9;
+/// Bits of the number of a step of a curve.
+const STEP_BITS: u32 = 6;
+
+impl<U> FogOfModel<U> {
+    /// How far a position of the model is beyond the start of the fog, in parts of the way to its end.
+    fn distance(&self, position: [i16; 3]) -> i16 {
+        // Below 2^31, and not farther than 64 times the way: the product is below 2^55.
+        let distance = i64::from(self.transform.apply(position).z) - i64::from(self.start);
+        let farthest = self.way << (15 - DISTANCE_BITS);
+        let distance = distance.clamp(-farthest, farthest - 1);
+        ((distance * self.per_unit) >> 40) as i16
+    }
+}
+
+impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
+    type Color = H::Color;
+    /// What the shading in the fog takes beside a mesh, and the fog.
+    type Skin<'a> = (H::Skin<'a>, Fog<'a, H::Color>);
+    type Uniforms = FogOfModel<H::Uniforms>;
+    type Attributes = (H::Attributes, Perspective<1>);
+    /// A quarter of a step.
+    const TOLERANCE: <Self::Attributes as Planes>::Tolerance = (H::TOLERANCE, 1 << (DISTANCE_BITS - STEP_BITS - 2));
+
+    fn check((skin, _): &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
+        H::check(skin, mesh)
+    }
+
+    fn uniforms((skin, fog): &Self::Skin<'_>, pose: &Pose, camera: &Camera) -> Self::Uniforms {
+        let [start, end] = [fog.start, fog.end].map(|distance| distance.to_bits() >> 4);
+        let way = (i64::from(end) - i64::from(start)).max(1 << 12);
+        FogOfModel {
+            within: H::uniforms(skin, pose, camera),
+            transform: EyeTransform::new(pose, camera.pose()),
+            start,
+            way,
+            per_unit: quotient_nearest(
+                1 << (40 + DISTANCE_BITS),
+                NonZeroU64::new(way as u64).unwrap_or(NonZeroU64::MIN),
+            ),
+        }
+    }
+
+    #[inline]
+    fn vertex(
+        (skin, _): &Self::Skin<'_>,
+        uniforms: &Self::Uniforms,
+        vertex: usize,
+        position: [i16; 3],
+    ) -> Self::Attributes {
+        (
+            H::vertex(skin, &uniforms.within, vertex, position),
+            Perspective([uniforms.distance(position)]),
+        )
+    }
+
+    #[inline]
+    fn face(
+        (skin, _): &Self::Skin<'_>,
+        uniforms: &Self::Uniforms,
+        mesh: &FaceSet<'_>,
+        face: usize,
+    ) -> Option<<Self::Color as BandColor>::Word> {
+        H::face(skin, &uniforms.within, mesh, face)
+    }
+
+    #[inline(always)]
+    fn fragment(
+        (skin, fog): &Self::Skin<'_>,
+        face: <Self::Color as BandColor>::Word,
+        (values, [distance]): &<Self::Attributes as Planes>::Values,
+    ) -> Option<<Self::Color as BandColor>::Word> {
+        let word = H::fragment(skin, face, values)?;
+        let step = (distance >> (16 + DISTANCE_BITS - STEP_BITS)).clamp(0, LAST_STEP);
+        // 64 steps: the mask says that there is such a one.
+        let factor = fog.curve.get(step as usize & LAST_STEP as usize).copied().unwrap_or(0);
+        let factor = u32::from(factor).min(32);
+        Some(<Self::Color as BlendedColor>::Layout::mixed(
+            word,
+            fog.color.to_word(),
+            factor,
+        ))
+    }
+}
+
+/// The number of the last step of a curve.
+const LAST_STEP: i32 = (1 << STEP_BITS) - 1;

@@ -1,0 +1,80 @@
+//! Bilinear filtering: a pixel is the mean of the four texels around it, weighed by how near their centres are.
+//!
+//! ```text
+//!     A-----B     weights of A, B, C, D, with fractions f and g to the right and down:
+//!     |  +  |     (1 - f)(1 - g), f(1 - g), (1 - f)g, fg
+//!     C-----D
+//! ```
+//!
+//! Guarantees: fractions have 5 bits; at the centre of a texel it is the texel itself, and between two texels of one colour it is that
+//! colour. Levels are rounded down twice, so that they are at most 2 too low.
+//!
+//! Cost of a pixel: four texels and three mixed words.
+//!
+//! Source: Catmull and Smith (1980), "3-D transformations of images in scanline order"; Heckbert (1989), "Fundamentals of texture
+//! mapping and image warping".
+
+use core::marker::PhantomData;
+
+use crate::{
+    shade::{
+        ChannelColor,
+        layout::Layout,
+        texture::{COORDINATE_BITS, Sampler, Texture, WordOf},
+    },
+    surface::BandColor,
+};
+
+/// The texture `T` whose pixels are mixed of the four texels around them, so that large texels have soft edges. Where one of them
+/// is a hole, the pixel is the nearest texel.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Bilinear<T>(PhantomData<T>);
+
+/// Bits of the fractions of a texel.
+const FRACTION_BITS: u32 = 5;
+
+impl<T: Texture<Color: ChannelColor>> Sampler for Bilinear<T> {
+    type Texture = T;
+
+    #[inline(always)]
+    fn sample(image: &T::Image<'_>, coordinates: [i32; 2]) -> Option<WordOf<T>> {
+        let [u, v] = coordinates;
+        let (column, from_left) = texel_and_fraction(u, T::COLUMN_BITS);
+        let (row, from_top) = texel_and_fraction(v, T::ROW_BITS);
+        let (left, right) = (T::column(column), T::column(column.wrapping_add(1)));
+        let (top, bottom) = (T::row(row), T::row(row.wrapping_add(1)));
+        let texels = (
+            T::texel(image, left, top),
+            T::texel(image, right, top),
+            T::texel(image, left, bottom),
+            T::texel(image, right, bottom),
+        );
+        match texels {
+            (Some(a), Some(b), Some(c), Some(d)) => {
+                let mixed = mixed::<T::Color>;
+                Some(mixed(mixed(a, b, from_left), mixed(c, d, from_left), from_top))
+            }
+            _ => <T as Sampler>::sample(image, coordinates),
+        }
+    }
+}
+
+/// A word between two.
+#[inline(always)]
+fn mixed<C: ChannelColor>(
+    one: <C as BandColor>::Word,
+    other: <C as BandColor>::Word,
+    factor: u32,
+) -> <C as BandColor>::Word {
+    C::Layout::mixed(one, other, factor)
+}
+
+/// The texel whose centre is the last one before a coordinate, and how far the coordinate is beyond it, in parts of a texel.
+#[inline(always)]
+fn texel_and_fraction(coordinate: i32, texel_bits: u32) -> (i32, u32) {
+    let bits = COORDINATE_BITS - texel_bits;
+    let from_center = coordinate.wrapping_sub(1 << (bits - 1));
+    let fraction = from_center >> (bits - FRACTION_BITS);
+    (fraction >> FRACTION_BITS, fraction as u32 & ((1 << FRACTION_BITS) - 1))
+}
