@@ -12,7 +12,10 @@ pub mod clipping;
 pub mod cockpit;
 pub mod curves;
 pub mod dashboard;
+pub mod effects;
 pub mod fill_siblings;
+pub mod flight;
+
 pub mod fonts;
 pub mod gauge;
 pub mod instruments;

@@ -18,16 +18,16 @@ use crate::{
 };
 
 /// From where the teapot fills the width of an upright panel when its spout swings outwards.
-const DISTANCE: I16F16 = I16F16::lit("736");
+pub(crate) const DISTANCE: I16F16 = I16F16::lit("736");
 /// The frame in which lid, handle and spout are seen.
-const PORTRAIT: u32 = 62;
+pub(crate) const PORTRAIT: u32 = 62;
 /// An upright panel.
-const SIZE: Size = Size::new(240, 320);
+pub(crate) const SIZE: Size = Size::new(240, 320);
 /// Texels of a side of the texture.
-const TEXELS: usize = 64;
+pub(crate) const TEXELS: usize = 64;
 
 /// The colour of a teapot without a texture.
-const CLAY: &[Rgb565] = &[rgb(236, 188, 150)];
+pub(crate) const CLAY: &[Rgb565] = &[rgb(236, 188, 150)];
 
 /// The light of the teapots, from the upper left.
 pub const LIGHT: Lambert<1> = Lambert {
@@ -60,7 +60,7 @@ pub static PORCELAIN: [[u16; TEXELS]; TEXELS] = {
 };
 
 /// A texel of the texture, as a word.
-const fn porcelain(column: i32, row: i32) -> u16 {
+pub(crate) const fn porcelain(column: i32, row: i32) -> u16 {
     const WHITE: u16 = word(244, 244, 236);
     const BLUE: u16 = word(36, 70, 170);
     const PALE_BLUE: u16 = word(140, 170, 224);
@@ -81,12 +81,12 @@ const fn porcelain(column: i32, row: i32) -> u16 {
 }
 
 /// A colour as a word: the levels of red, green and blue, from 0 to 255.
-const fn word(red: u16, green: u16, blue: u16) -> u16 {
+pub(crate) const fn word(red: u16, green: u16, blue: u16) -> u16 {
     (red >> 3) << 11 | (green >> 2) << 5 | blue >> 3
 }
 
 /// A model whose skin is checked against its mesh by the tests.
-fn shaded<H: Shading>(mesh: FaceSet<'static>, skin: H::Skin<'static>) -> Model<'static, H> {
+pub(crate) fn shaded<H: Shading>(mesh: FaceSet<'static>, skin: H::Skin<'static>) -> Model<'static, H> {
     match Model::with_skin(mesh, skin) {
         Ok(model) => model,
         Err(_) => panic!("a skin that is too small for its mesh"),

@@ -22,6 +22,8 @@ struct Arguments {
 enum Command {
     /// Reports what each step of accuracy costs in time and memory: a page, tables, plots
     Accuracy(tool::Options),
+    /// Measures what each effect costs the teapot on the chips, and writes docs/effects.md
+    Effects(tool::Options),
     /// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel
     Emulate(tool::Options),
     /// Writes a font as a Rust module: coverage masks for antialiased text
@@ -38,6 +40,7 @@ enum Command {
 
 fn main() -> anyhow::Result<ExitCode> {
     let arguments = Arguments::parse();
+    let mut first: &[&str] = &[];
     let (name, options) = match &arguments.command {
         None => {
             gallery::run(&arguments.gallery)?;
@@ -45,13 +48,17 @@ fn main() -> anyhow::Result<ExitCode> {
         }
         Some(Command::Accuracy(options)) => ("accuracy", options),
         Some(Command::Emulate(options)) => ("emulate", options),
+        Some(Command::Effects(options)) => {
+            first = &["--only", "effect.", "--docs"];
+            ("measure", options)
+        }
         Some(Command::Font(options)) => ("font", options),
         Some(Command::Fuzz(options)) => ("fuzz", options),
         Some(Command::Measure(options)) => ("measure", options),
         Some(Command::Mesh(options)) => ("mesh", options),
         Some(Command::Panics(options)) => ("panics", options),
     };
-    let status = tool::run(name, options)?;
+    let status = tool::run(name, first, options)?;
     Ok(if status.success() {
         ExitCode::SUCCESS
     } else {

@@ -18,16 +18,17 @@ pub struct Options {
     options: Vec<OsString>,
 }
 
-/// Builds the program `zrow-NAME` and runs it; it says itself what went wrong.
+/// Builds the program `zrow-NAME` and runs it, with some first arguments and those that were typed; it says itself what went wrong.
 ///
 /// # Errors
 /// Cargo cannot be started.
-pub fn run(name: &str, options: &Options) -> anyhow::Result<ExitStatus> {
+pub fn run(name: &str, first: &[&str], options: &Options) -> anyhow::Result<ExitStatus> {
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let package = format!("zrow-{name}");
     // Cargo's own progress is shown: the first build of a tool takes a minute or more.
     Command::new(cargo)
         .args(["run", "--release", "--package", &package, "--bin", &package, "--"])
+        .args(first)
         .args(&options.options)
         .status()
         .with_context(|| format!("cannot start cargo, which builds {package}"))

@@ -60,6 +60,8 @@ pub enum What {
     Flash,
     /// Without what this program takes, built in the same way.
     NetFlash(&'static str),
+    /// Without what this program takes, built in the same way and with the same content.
+    NetCode(&'static str),
     Statics,
     Stack,
     /// Statics and stack, without so many bytes.
@@ -167,6 +169,10 @@ impl Case {
                 build,
                 what: What::NetFlash(baseline),
             } => vec![build, build.baseline(baseline)],
+            Source::Memory {
+                build,
+                what: What::NetCode(firmware),
+            } => vec![build, Build { firmware, ..build }],
             Source::Memory { build, .. } => vec![build],
             Source::RowMemory(_) => vec![],
         }
@@ -255,6 +261,10 @@ impl What {
             Self::NetFlash(firmware) => {
                 let baseline = counts.memory(build.baseline(firmware))?;
                 memory.flash.saturating_sub(baseline.flash)
+            }
+            Self::NetCode(firmware) => {
+                let data = counts.memory(Build { firmware, ..build })?;
+                memory.flash.saturating_sub(data.flash)
             }
             Self::Statics => memory.statics,
             Self::Stack => stack()?,

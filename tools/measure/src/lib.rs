@@ -5,6 +5,7 @@ mod case;
 mod cases;
 mod counts;
 mod docs;
+mod effects;
 mod firmware;
 mod report;
 mod selection;
@@ -57,7 +58,12 @@ pub struct Options {
 /// [`NothingSelected`] where the options leave nothing to measure; a tool is missing, a firmware does not build or run, or a count is
 /// void.
 pub fn run(options: &Options) -> anyhow::Result<()> {
-    let cases = selection::select(cases::all(), options.only.as_deref(), options.target.as_deref())?;
+    let mut cases = cases::all();
+    // A report of its own, which takes minutes: counted where it is asked for.
+    if options.only.as_ref().is_some_and(|only| only.starts_with("effect")) {
+        cases.extend(effects::cases());
+    }
+    let cases = selection::select(cases, options.only.as_deref(), options.target.as_deref())?;
     let plugin = if options.no_cycles {
         None
     } else {

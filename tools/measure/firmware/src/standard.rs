@@ -48,6 +48,8 @@ pub type FlatLitTeapot = Stage<FlatLitPot, FlatLit<Rgb565>, 560, 992, 91, 240, 3
 pub type GouraudTeapot = Stage<GouraudPot, Gouraud<Rgb565>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with a texture under a light.
 pub type TexturedTeapot = Stage<TexturedPot, LitTextured<Texels<Rgb565, 64, 64>>, 560, 992, 91, 240, 320>;
+/// The Utah teapot with an effect, in a look.
+pub type EffectTeapot<S, L> = Stage<S, L, 560, 992, 91, 240, 320>;
 /// A square of up to 200 x 200 pixels with a texture in perspective.
 pub type TexturedQuad = Stage<TexturedSquare, Textured<Texels<Rgb565, 64, 64>>, 4, 2, 2, 240, 320>;
 

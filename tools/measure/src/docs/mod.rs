@@ -1,10 +1,12 @@
-//! Pages of `docs/` with figures that were measured: the algorithms, and how tall a band should be.
+//! Pages of `docs/` with figures that were measured: the algorithms, how tall a band should be, and what effects cost.
 //!
 //! A table lies between the comments `<!-- NAME -->` and `<!-- end -->`; everything else of a page is written by hand.
 
 mod algorithms;
 mod band_height;
 mod bands;
+mod effect_plot;
+mod effects;
 mod page;
 mod plot;
 
@@ -20,13 +22,17 @@ use crate::case::Figure;
 pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
     let has_any = |names: &[String]| figures.iter().any(|figure| names.contains(&figure.case.name));
     let (of_algorithms, of_bands) = (has_any(&algorithms::names()), has_any(&band_height::names()));
+    let of_effects = has_any(&effects::names());
     if of_algorithms {
         algorithms::refill(figures)?;
     }
     if of_bands {
         band_height::refill(figures)?;
     }
-    if !of_algorithms && !of_bands {
+    if of_effects {
+        effects::refill(figures)?;
+    }
+    if !of_algorithms && !of_bands && !of_effects {
         bail!("docs/ has none of these figures: leave out --only, or take --only picture.dashboard");
     }
     Ok(())

@@ -21,19 +21,19 @@ const TOP: i32 = 54;
 const RIGHT: i32 = SIZE.0 - 44;
 const BOTTOM: i32 = SIZE.1 - 92;
 
-const INK: RGBColor = RGBColor(40, 40, 40);
-const FAINT: RGBColor = RGBColor(225, 225, 225);
+pub(super) const INK: RGBColor = RGBColor(40, 40, 40);
+pub(super) const FAINT: RGBColor = RGBColor(225, 225, 225);
 const PREPARED: RGBColor = RGBColor(20, 90, 170);
 const REPLAYED: RGBColor = RGBColor(200, 70, 20);
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// The text of the SVG file.
 ///
 /// # Errors
 /// The font cannot be read, or nothing was measured.
 pub fn svg(bands: &[Bands]) -> anyhow::Result<String> {
-    register_font(FONT, FontStyle::Normal, UBUNTU_LIGHT).map_err(|_| anyhow!("the font cannot be read"))?;
+    with_font()?;
     let scale = Scale::of(bands).context("a plot of nothing")?;
     let mut text = String::new();
     {
@@ -53,6 +53,14 @@ pub fn svg(bands: &[Bands]) -> anyhow::Result<String> {
         area.present()?;
     }
     Ok(text)
+}
+
+/// Makes the font of all plots known, which lies in the program.
+///
+/// # Errors
+/// It cannot be read.
+pub(super) fn with_font() -> anyhow::Result<()> {
+    register_font(FONT, FontStyle::Normal, UBUNTU_LIGHT).map_err(|_| anyhow!("the font cannot be read"))
 }
 
 /// Where a number lies in the plot.
@@ -188,7 +196,7 @@ fn style(size: i32, color: RGBColor, (horizontal, vertical): (HPos, VPos)) -> Te
     }
 }
 
-fn label(
+pub(super) fn label(
     area: &Area<'_>,
     text: &str,
     at: (i32, i32),
