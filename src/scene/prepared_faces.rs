@@ -38,7 +38,7 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     pub(super) viewport: Window,
     camera: Camera,
     /// The number of the first face of the model that was asked for last, and its uniforms.
-    last_uniforms: Cell<Option<(u16, UniformsOf<L>)>>,
+    last_uniforms: Cell<Option<(u32, UniformsOf<L>)>>,
 }
 
 impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
@@ -126,7 +126,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     #[inline(never)]
     fn other_face(&self, node: u16) -> Option<FaceOf<'_, L>> {
         let (model, first_vertex, face) = faces::find(self.models, self.order(node))?;
-        let uniforms = self.uniforms(model, self.order(node) - face as u16);
+        let uniforms = self.uniforms(model, u32::from(self.order(node)) - face as u32);
         let word = L::Shading::face(model.skin(), &uniforms, model.mesh(), face)?;
         let corners = if is_whole::<L>(node) {
             corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)
@@ -139,7 +139,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
 
 impl<L: Look> PreparedFaces<'_, '_, L> {
     /// The uniforms of a model whose first face has a number: kept for the next face, which mostly is of the same model.
-    fn uniforms(&self, model: &Model<'_, L::Shading>, first_face: u16) -> UniformsOf<L> {
+    fn uniforms(&self, model: &Model<'_, L::Shading>, first_face: u32) -> UniformsOf<L> {
         match self.last_uniforms.get() {
             Some((number, uniforms)) if number == first_face => uniforms,
             _ => {

@@ -291,7 +291,28 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     // A function of its own, for which the compiler knows that the two do not overlap: else it would call `memmove`.
     #[inline(never)]
     pub(super) fn move_to(&self, other: &mut Self) {
-        *other = *self;
+        if !H::Attributes::VARY {
+            *other = *self;
+            return;
+        }
+        // Part by part: all of it at once is a call of `memcpy`, which many programs do not have otherwise.
+        let Self {
+            edges,
+            third,
+            carry_corrections,
+            third_carry_correction,
+            plane,
+            node,
+            event_row,
+            edge_end,
+            bottom,
+            word,
+            attributes,
+        } = self;
+        (other.edges, other.third, other.carry_corrections) = (*edges, *third, *carry_corrections);
+        (other.third_carry_correction, other.plane) = (*third_carry_correction, *plane);
+        (other.node, other.event_row, other.edge_end) = (*node, *event_row, *edge_end);
+        (other.bottom, other.word, other.attributes) = (*bottom, *word, *attributes);
     }
 
     /// The columns of the face's span in the current row; steps its edges to the next row.

@@ -18,15 +18,15 @@ use crate::{
 type ValuesOf<H> = <<H as Shading>::Attributes as Planes>::Values;
 
 /// The colours of a face of a table along a run.
-struct Varying<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>, O> {
-    /// A copy, so that what a fragment takes of it stays in registers.
-    skin: F::Skin,
+struct Varying<'s, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>, O> {
+    /// Where fragments read it: of a copy, so that what they take of it stays in registers.
+    skin: &'s F::Skin,
     word: WordOf<H>,
     run: Run<ValuesOf<H>>,
     order: PhantomData<(S, D, O)>,
 }
 
-impl<S, D, H, F, O> Shade<WordOf<H>> for Varying<S, D, H, F, O>
+impl<S, D, H, F, O> Shade<WordOf<H>> for Varying<'_, S, D, H, F, O>
 where
     S: ScreenPrecision,
     D: DepthWidth,
@@ -36,7 +36,7 @@ where
 {
     #[inline(always)]
     fn word(&self) -> Option<WordOf<H>> {
-        F::fragment(&self.skin, self.word, &self.run.values).map(O::reorder)
+        F::fragment(self.skin, self.word, &self.run.values).map(O::reorder)
     }
 
     #[inline(always)]
@@ -74,8 +74,12 @@ where
         }
         let skin = *self.faces.skin(face.node)?;
         let run = H::Attributes::even_run(&face.attributes, column, end, self.row.y);
-        self.row
-            .draw_run(column, end, varying::<S, D, H, F, O>(skin, face.word, run), &face.plane)
+        self.row.draw_run(
+            column,
+            end,
+            varying::<S, D, H, F, O>(&skin, face.word, run),
+            &face.plane,
+        )
     }
 
     /// Draws a span of a face whose attributes do not step evenly.
@@ -88,7 +92,7 @@ where
             let run = divided_run::<S, D, H>(face, span, [column, self.row.y], self.row.left, known);
             known = run.at_end;
             let run_end = run.end.min(last);
-            let shade = varying::<S, D, H, F, O>(skin, face.word, run);
+            let shade = varying::<S, D, H, F, O>(&skin, face.word, run);
             if let Some(left_over) = self.row.draw_run(column, run_end, shade, &face.plane) {
                 return Some(left_over + (last - run_end) as usize);
             }
@@ -101,11 +105,10 @@ where
     #[inline(never)]
     pub(super) fn fill_span(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) {
         let (column, end) = (start.max(0), end.min(self.row.words.len() as i32));
-        let Some(skin) = self.faces.skin(face.node).copied() else {
-            return;
-        };
-        if let Some(words) = self.row.words.get_mut(column as usize..end as usize) {
+        let skin = self.faces.skin(face.node);
+        if let (Some(skin), Some(words)) = (skin, self.row.words.get_mut(column as usize..end as usize)) {
             let run = H::Attributes::even_run(&face.attributes, column, end, self.row.y);
+            // No copy: such attributes are those of shadings that take nothing of a skin for a fragment.
             varying::<S, D, H, F, O>(skin, face.word, run).fill(words);
         }
     }
@@ -184,7 +187,7 @@ fn divided_run<S: ScreenPrecision, D: DepthWidth, H: Shading>(
 
 /// The colours of a face along a run.
 #[inline(always)]
-fn varying<S, D, H, F, O>(skin: F::Skin, word: WordOf<H>, run: Run<ValuesOf<H>>) -> Varying<S, D, H, F, O>
+fn varying<S, D, H, F, O>(skin: &F::Skin, word: WordOf<H>, run: Run<ValuesOf<H>>) -> Varying<'_, S, D, H, F, O>
 where
     S: ScreenPrecision,
     D: DepthWidth,

@@ -186,12 +186,18 @@ impl<const N: usize> Planes for [i16; N] {
 
     #[inline(always)]
     fn even_run(planes: &[ScreenPlane; N], column: i32, end: i32, row: i32) -> Run<[i32; N]> {
-        Run {
-            values: planes.each_ref().map(|plane| plane.at(column, row).0 as i32),
-            per_column: planes.each_ref().map(|plane| plane.per_column.0 as i32),
+        let mut run = Run {
+            values: [0; N],
+            per_column: [0; N],
             end,
             at_end: None,
+        };
+        let numbers = run.values.iter_mut().zip(&mut run.per_column);
+        for ((value, per_column), plane) in numbers.zip(planes) {
+            *value = plane.at(column, row).0 as i32;
+            *per_column = plane.per_column.0 as i32;
         }
+        run
     }
 
     fn divided_run(planes: &[ScreenPlane; N], position: &SpanPosition<'_, [i32; N]>) -> Run<[i32; N]> {

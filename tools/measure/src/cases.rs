@@ -2,6 +2,7 @@
 
 use crate::{
     case::{Case, Peer, RASTERIZER_VARIANTS, Source, V6M, V7EM, V7M, What},
+    effects,
     firmware::{Build, Level},
     siblings,
 };
@@ -19,6 +20,7 @@ pub fn all() -> Vec<Case> {
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(teapots())
+        .chain(effects::budgeted())
         .chain(looks())
         .chain(pictures())
         .chain(contours())
@@ -424,6 +426,12 @@ fn teapots() -> impl Iterator<Item = Case> {
             "scene.teapot.textured_lit",
             "Utah teapot under a light, textured",
             Some(2_600_000.0),
+        ),
+        (
+            V7EM,
+            "scene.teapot.bilinear",
+            "Utah teapot under a light, textured, bilinear",
+            Some(1_650_000.0),
         ),
         (
             V7EM,

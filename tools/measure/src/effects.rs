@@ -59,29 +59,72 @@ impl Effect {
             (
                 "flash at opt-level s, without runtime, harness and model",
                 What::NetCode("footprint_effect_model"),
-                Level::Size,
             ),
-            ("static RAM", What::Statics, Level::Size),
-            ("deepest stack", What::Stack, Level::Size),
+            ("static RAM", What::Statics),
+            ("deepest stack", What::Stack),
         ];
         self.memory_names()
             .into_iter()
             .zip(kinds)
-            .map(|(name, (kind, what, level))| Case {
+            .map(|(name, (kind, what))| Case {
                 name,
                 title: format!("Utah teapot: {}: {kind}", self.what),
                 target: V7M,
                 budget: None,
                 cycles_budget: None,
-                source: Source::Memory {
-                    build: Build {
-                        target: V7M,
-                        level,
-                        content: Some(self.name),
-                        firmware: "footprint_effect",
-                    },
-                    what,
-                },
+                source: memory(self.name, what),
             })
+    }
+}
+
+/// The memory of the teapot that has budgets: flash without any effect and under a light with a texture, and RAM of the latter.
+pub fn budgeted() -> impl Iterator<Item = Case> {
+    const FLAT: &str = "effect.nothing";
+    const TEXTURED: &str = "effect.lit_texture";
+    let code = What::NetCode("footprint_effect_model");
+    [
+        (
+            "flash.flat",
+            "a colour a face: flash at opt-level s, without runtime, harness and model",
+            FLAT,
+            code,
+            8.2,
+        ),
+        (
+            "flash.textured_lit",
+            "textured and lit: flash at opt-level s, without runtime, harness and model",
+            TEXTURED,
+            code,
+            14.0,
+        ),
+        (
+            "ram.teapot",
+            "textured and lit: RAM without the stack",
+            TEXTURED,
+            What::Statics,
+            18.0,
+        ),
+    ]
+    .into_iter()
+    .map(|(name, title, content, what, kilobytes)| Case {
+        name: name.into(),
+        title: format!("Utah teapot, {title}"),
+        target: V7M,
+        budget: Some(kilobytes * 1024.0),
+        cycles_budget: None,
+        source: memory(content, what),
+    })
+}
+
+/// A figure of the program that draws the teapot with an effect, at opt-level "s".
+fn memory(effect: &'static str, what: What) -> Source {
+    Source::Memory {
+        build: Build {
+            target: V7M,
+            level: Level::Size,
+            content: Some(effect),
+            firmware: "footprint_effect",
+        },
+        what,
     }
 }

@@ -6,9 +6,10 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     scene::{Look, Memory},
-    shade::{FlatLit, Gouraud, LitTextured, Texels, Textured},
+    shade::{Bilinear, FlatLit, Gouraud, LitTextured, Texels, Textured},
 };
 use zrow_scenes::{
+    effects::SmoothPot,
     standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage},
     teapots::{FlatLitPot, FlatPot, GouraudPot, TexturedPot, TexturedSquare},
 };
@@ -48,6 +49,8 @@ pub type FlatLitTeapot = Stage<FlatLitPot, FlatLit<Rgb565>, 560, 992, 91, 240, 3
 pub type GouraudTeapot = Stage<GouraudPot, Gouraud<Rgb565>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with a texture under a light.
 pub type TexturedTeapot = Stage<TexturedPot, LitTextured<Texels<Rgb565, 64, 64>>, 560, 992, 91, 240, 320>;
+/// The Utah teapot under a light with a texture whose texels are mixed.
+pub type BilinearTeapot = Stage<SmoothPot, LitTextured<Bilinear<Texels<Rgb565, 64, 64>>>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with an effect, in a look.
 pub type EffectTeapot<S, L> = Stage<S, L, 560, 992, 91, 240, 320>;
 /// A square of up to 200 x 200 pixels with a texture in perspective.

@@ -4,12 +4,7 @@
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
-use zrow_measure_firmware::{
-    report,
-    run::Runner,
-    standard::EffectTeapot,
-    stopwatch::Stopwatch,
-};
+use zrow_measure_firmware::{report, run::Runner, standard::EffectTeapot, stopwatch::Stopwatch};
 
 /// Every fourth frame of the turn: more would be too many instructions for the stopwatch of the slowest core.
 const FRAMES: [u32; 16] = [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60];

@@ -7,7 +7,7 @@ use cortex_m_rt::entry;
 use zrow_measure_firmware::{
     report,
     run::Runner,
-    standard::{FlatLitTeapot, FlatTeapot, GouraudTeapot, TexturedQuad, TexturedTeapot, count},
+    standard::{BilinearTeapot, FlatLitTeapot, FlatTeapot, GouraudTeapot, TexturedQuad, TexturedTeapot, count},
     stopwatch::Stopwatch,
 };
 
@@ -19,9 +19,10 @@ fn main() -> ! {
     let flat_lit = cortex_m::singleton!(: FlatLitTeapot = FlatLitTeapot::EMPTY);
     let gouraud = cortex_m::singleton!(: GouraudTeapot = GouraudTeapot::EMPTY);
     let textured = cortex_m::singleton!(: TexturedTeapot = TexturedTeapot::EMPTY);
+    let bilinear = cortex_m::singleton!(: BilinearTeapot = BilinearTeapot::EMPTY);
     let quad = cortex_m::singleton!(: TexturedQuad = TexturedQuad::EMPTY);
-    let (Some(peripherals), Some(flat), Some(flat_lit), Some(gouraud), Some(textured), Some(quad)) =
-        (Peripherals::take(), flat, flat_lit, gouraud, textured, quad)
+    let (Some(peripherals), Some(flat), Some(flat_lit), Some(gouraud), Some(textured), Some(bilinear), Some(quad)) =
+        (Peripherals::take(), flat, flat_lit, gouraud, textured, bilinear, quad)
     else {
         report::exit(false)
     };
@@ -30,6 +31,7 @@ fn main() -> ! {
     count(&mut runner, "scene.teapot.flat_lit", flat_lit);
     count(&mut runner, "scene.teapot.gouraud", gouraud);
     count(&mut runner, "scene.teapot.textured_lit", textured);
+    count(&mut runner, "scene.teapot.bilinear", bilinear);
     count(&mut runner, "scene.quad.textured", quad);
     report::exit(true)
 }
