@@ -23,6 +23,7 @@ where
     type Shading = C;
     type Precision = S;
     type Depth = D;
+    type Counting = ();
     const CLIPS: bool = CLIPS;
     const DRAWS_IN_PASSES: bool = PASSES;
 }

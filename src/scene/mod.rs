@@ -39,6 +39,7 @@
 // The measured reason for functions that are marked as cold here is in `visible`.
 
 mod clipping;
+mod counters;
 mod faces;
 mod frame;
 mod look;
@@ -55,8 +56,9 @@ pub use crate::{
     mesh::FaceSet,
     view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
+pub use counters::Counters;
 pub use frame::Frame;
-pub use look::{Deep, Fine, Look, OnePass, Whole};
+pub use look::{Counted, Deep, Fine, Look, OnePass, Unhurried, Whole};
 pub use memory::Memory;
 pub use model::Model;
 pub use prepared::Prepared;

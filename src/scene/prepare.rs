@@ -74,7 +74,7 @@ impl<L: Look> Frame<'_, L> {
         };
         preparation.tables.clear_rows();
         let all_inside = preparation.transform_vertices(camera, models)?;
-        preparation.sort_faces(camera, models, vertices, faces, !all_inside);
+        preparation.sort_faces(camera, models, vertices, faces, !all_inside || !L::HURRIES);
         let vertices_needed = preparation.vertices_needed;
         if L::CLIPS {
             check(most_vertices, TooSmall::Vertices(vertices_needed))?;

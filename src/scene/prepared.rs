@@ -1,12 +1,12 @@
 //! A frame ready to be drawn, band by band, in any order of rows.
 
-use core::ops::Range;
+use core::{cell::Cell, ops::Range};
 
 use crate::{
     band::Band,
     geometry::InputError,
     scene::{
-        Frame, Look, Model,
+        Counters, Frame, Look, Model,
         faces::{self, ScreenFace},
         frame::ActiveListOf,
         prepared_faces::PreparedFaces,
@@ -99,6 +99,44 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// and its `depth` as stored: nearer is larger.
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
         faces::all::<L>(self.faces.vertices, self.faces.models, self.fragments.clone())
+    }
+}
+
+impl<L: Look<Counting = Cell<Counters>>> Prepared<'_, '_, L> {
+    /// What the frame took, and what its rows took that were drawn up to now.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     scene::{Camera, Counted, FaceSet, Memory, Model},
+    /// };
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let mut memory = Memory::<Counted<Rgb565>, 3, 1, 64, 64>::new();
+    /// let mesh = FaceSet::new(&[[-512, -512, 512], [0, 512, 512], [512, -512, 512]], &[[0, 1, 2]])?;
+    /// let models = [Model::new(mesh, &[Rgb565::RED])?];
+    /// let mut scene = memory.prepare(&camera, &models)?;
+    /// scene.draw(&mut Band::<Rgb565>::new(area, &mut [0; 64 * 64])?);
+    /// let counters = scene.counters();
+    /// // Nothing overlaps: no depth is tested.
+    /// assert!(counters.spans_filled > 0 && counters.pixels_tested == 0);
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    pub fn counters(&self) -> Counters {
+        let [whole, cut] = self.faces.drawn(self.fragments.start);
+        let models = self.faces.models.iter();
+        let faces = models.map(|model| model.mesh().faces().len() as u32).sum::<u32>();
+        Counters {
+            faces,
+            faces_culled: faces - whole - cut,
+            faces_cut: cut,
+            rows_without_depth: self.rows_without_depth(),
+            rows_in_passes: self.rows_in_passes(),
+            ..self.faces.counting.get()
+        }
     }
 }
 

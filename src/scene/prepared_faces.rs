@@ -7,13 +7,15 @@ use crate::{
     band::Band,
     geometry::{Window, offset_from},
     scene::{
-        Look, Model, faces,
-        frame::{ActiveListOf, AttributesOf, FRAGMENT, RowStart, Tables, corners, is_whole},
+        Look, Model,
+        counters::Counting,
+        faces,
+        frame::{ActiveListOf, AttributesOf, FRAGMENT, FRAGMENT_VERTICES, RowStart, Tables, corners, is_whole},
     },
     shade::{Planes, Shading},
     surface::{BandColor, Order, Target},
     view::{Camera, ScreenVertex},
-    visible::{ColoredFace, DepthRow, DepthUse, FaceTable, NONE},
+    visible::{ColoredFace, Count, DepthRow, DepthUse, FaceTable, NONE},
 };
 
 /// A face of a frame with its colour, as the row loop takes it.
@@ -39,6 +41,7 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     camera: Camera,
     /// The number of the first face of the model that was asked for last, and its uniforms.
     last_uniforms: Cell<Option<(u32, UniformsOf<L>)>>,
+    pub(super) counting: L::Counting,
 }
 
 impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
@@ -58,6 +61,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
             viewport: camera.viewport(),
             camera: *camera,
             last_uniforms: Cell::new(None),
+            counting: L::Counting::default(),
         }
     }
 
@@ -70,12 +74,14 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
         depth_use: DepthUse,
         mut more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
     ) {
+        let depth_use = if L::HURRIES { depth_use } else { DepthUse::Always };
         let window = self.viewport.intersection(&band.window());
         if window.width() == 0 {
             return;
         }
         for y in window.top..window.bottom {
             if let Some(mut row) = DepthRow::new(band, &window, y, depths) {
+                self.counting.count().row();
                 if L::DRAWS_IN_PASSES && active.needs_passes() {
                     active.draw_row_in_passes(self, &mut row);
                 } else {
@@ -84,6 +90,38 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
                 more(&mut row);
             }
         }
+    }
+
+    /// How many faces are to be drawn whole, and how many are cut. The fragments of those begin with a vertex of the table.
+    pub(super) fn drawn(&self, first_fragment: usize) -> [u32; 2] {
+        let nodes = self.rows.iter().flat_map(|row| {
+            let mut node = row.first();
+            core::iter::from_fn(move || {
+                let this = node;
+                node = if this == NONE { NONE } else { self.next(this) };
+                (this != NONE).then_some(this)
+            })
+        });
+        let mut drawn = [0; 2];
+        for node in nodes {
+            let [whole, cut] = &mut drawn;
+            if is_whole::<L>(node) {
+                *whole += 1;
+            } else if self.is_first_of_face(node, first_fragment) {
+                *cut += 1;
+            }
+        }
+        drawn
+    }
+
+    /// Whether a fragment is the first one of its face in the table, where the fragments of a face lie one after the other.
+    fn is_first_of_face(&self, node: u16, first_fragment: usize) -> bool {
+        let index = usize::from(node & !FRAGMENT);
+        let before = index
+            .checked_sub(FRAGMENT_VERTICES)
+            .filter(|before| *before >= first_fragment);
+        let order = |index: usize| self.vertices.get(index).map(ScreenVertex::x_units);
+        before.is_none_or(|before| order(before) != order(index))
     }
 
     /// The most faces that cross a row.
@@ -153,6 +191,15 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
 
 impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFaces<'_, 'm, L> {
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    type Count<'c>
+        = <L::Counting as Counting>::Count<'c>
+    where
+        Self: 'c;
+
+    #[inline(always)]
+    fn count(&self) -> Self::Count<'_> {
+        self.counting.count()
+    }
 
     fn viewport(&self) -> &Window {
         &self.viewport

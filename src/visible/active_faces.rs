@@ -16,6 +16,7 @@ use crate::{
         DepthRow,
         active_face::{ActiveFace, NOTHING, Surroundings},
         attribute_planes::set_up_attributes,
+        count::Count,
         face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
         shaded_span::{is_seen, shaded_row, span_around, word_at},
@@ -221,6 +222,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                     None
                 }
             } else {
+                faces.count().tested(pixels_within(row.words.len(), start, end));
                 row.draw_span(start, end, face.word, &face.plane)
             };
             if let Some(left_over) = left_over {
@@ -320,6 +322,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 } else {
                     row.fill_span(start, end, face.word);
                 }
+                faces.count().filled(pixels_within(row.words.len(), start, end));
             }
             (previous, current) = self.take_down(next_row, previous, current);
         }
@@ -489,6 +492,13 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             None => self.first = next,
         }
     }
+}
+
+/// How many pixels of a span lie in a row of so many.
+#[inline(always)]
+fn pixels_within(row: usize, start: i32, end: i32) -> usize {
+    let (start, end) = (start.max(0), end.min(row as i32));
+    if start < end { (end - start) as usize } else { 0 }
 }
 
 /// The rest of a span, from a pixel at which its depth equals the stored one.

@@ -4,7 +4,10 @@ use crate::{
     geometry::Window,
     shade::{Planes, Shading},
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
-    visible::active_face::{ActiveFace, LeftOver, Surroundings, WordOf, from_top},
+    visible::{
+        active_face::{ActiveFace, LeftOver, Surroundings, WordOf, from_top},
+        count::Count,
+    },
 };
 
 /// The index that stands for no node and no slot.
@@ -17,6 +20,12 @@ pub(crate) type ColoredFace<'t, S, D, H> = ([&'t ScreenVertex<S, D>; 3], WordOf<
 pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     /// Whether rows with more faces than slots are drawn in passes.
     const DRAWS_IN_PASSES: bool;
+    /// What counts.
+    type Count<'c>: Count
+    where
+        Self: 'c;
+    /// Where it is counted what drawing takes.
+    fn count(&self) -> Self::Count<'_>;
     /// The pixels that the frame was prepared for.
     fn viewport(&self) -> &Window;
     /// How many more faces cross a row of the viewport than the row above it.

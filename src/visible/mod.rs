@@ -14,6 +14,7 @@ mod active_face;
 mod active_faces;
 mod at_depth;
 mod attribute_planes;
+mod count;
 mod depth_plane;
 mod depth_row;
 mod edge;
@@ -27,4 +28,5 @@ pub use depth_row::DepthRow;
 
 pub(crate) use active_face::ActiveFace;
 pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse};
+pub(crate) use count::Count;
 pub(crate) use face_table::{ColoredFace, FaceTable, NONE};

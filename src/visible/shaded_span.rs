@@ -9,6 +9,7 @@ use crate::{
     visible::{
         DepthRow,
         active_face::{ActiveFace, WordOf},
+        count::Count,
         depth_plane::{DepthPlane, rounding},
         face_table::{FaceTable, covers},
     },
@@ -18,11 +19,12 @@ use crate::{
 type ValuesOf<H> = <<H as Shading>::Attributes as Planes>::Values;
 
 /// The colours of a face of a table along a run.
-struct Varying<'s, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>, O> {
+struct Varying<'s, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H> + 's, O> {
     /// Where fragments read it: of a copy, so that what they take of it stays in registers.
     skin: &'s F::Skin,
     word: WordOf<H>,
     run: Run<ValuesOf<H>>,
+    count: F::Count<'s>,
     order: PhantomData<(S, D, O)>,
 }
 
@@ -36,6 +38,7 @@ where
 {
     #[inline(always)]
     fn word(&self) -> Option<WordOf<H>> {
+        self.count.fragment();
         F::fragment(self.skin, self.word, &self.run.values).map(O::reorder)
     }
 
@@ -72,12 +75,13 @@ where
         if column >= end {
             return None;
         }
+        self.faces.count().tested((end - column) as usize);
         let skin = *self.faces.skin(face.node)?;
         let run = H::Attributes::even_run(&face.attributes, column, end, self.row.y);
         self.row.draw_run(
             column,
             end,
-            varying::<S, D, H, F, O>(&skin, face.word, run),
+            varying::<S, D, H, F, O>(self.faces, &skin, face.word, run),
             &face.plane,
         )
     }
@@ -87,12 +91,17 @@ where
     fn draw_divided_span(&mut self, face: &ActiveFace<S, H>, span: [i32; 2]) -> Option<usize> {
         let (mut column, last) = (span[0].max(0), span[1].min(self.row.words.len() as i32));
         let skin = *self.faces.skin(face.node)?;
+        if column < last {
+            self.faces.count().tested((last - column) as usize);
+        }
         let mut known = None;
         while column < last {
             let run = divided_run::<S, D, H>(face, span, [column, self.row.y], self.row.left, known);
+            let of_start = u32::from(known.is_none());
             known = run.at_end;
+            self.faces.count().divisions(of_start + u32::from(known.is_some()));
             let run_end = run.end.min(last);
-            let shade = varying::<S, D, H, F, O>(&skin, face.word, run);
+            let shade = varying::<S, D, H, F, O>(self.faces, &skin, face.word, run);
             if let Some(left_over) = self.row.draw_run(column, run_end, shade, &face.plane) {
                 return Some(left_over + (last - run_end) as usize);
             }
@@ -109,7 +118,7 @@ where
         if let (Some(skin), Some(words)) = (skin, self.row.words.get_mut(column as usize..end as usize)) {
             let run = H::Attributes::even_run(&face.attributes, column, end, self.row.y);
             // No copy: such attributes are those of shadings that take nothing of a skin for a fragment.
-            varying::<S, D, H, F, O>(skin, face.word, run).fill(words);
+            varying::<S, D, H, F, O>(self.faces, skin, face.word, run).fill(words);
         }
     }
 }
@@ -187,7 +196,12 @@ fn divided_run<S: ScreenPrecision, D: DepthWidth, H: Shading>(
 
 /// The colours of a face along a run.
 #[inline(always)]
-fn varying<S, D, H, F, O>(skin: &F::Skin, word: WordOf<H>, run: Run<ValuesOf<H>>) -> Varying<'_, S, D, H, F, O>
+fn varying<'s, S, D, H, F, O>(
+    faces: &'s F,
+    skin: &'s F::Skin,
+    word: WordOf<H>,
+    run: Run<ValuesOf<H>>,
+) -> Varying<'s, S, D, H, F, O>
 where
     S: ScreenPrecision,
     D: DepthWidth,
@@ -198,6 +212,7 @@ where
         skin,
         word,
         run,
+        count: faces.count(),
         order: PhantomData,
     }
 }

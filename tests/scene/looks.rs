@@ -4,7 +4,7 @@ use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
-    scene::{Camera, Deep, Fine, Look, Memory, Model, OnePass, Pose, Rotation, Whole},
+    scene::{Camera, Counted, Deep, Fine, Look, Memory, Model, OnePass, Pose, Rotation, Unhurried, Whole},
 };
 use zrow_methods::LookOf;
 
@@ -110,6 +110,11 @@ fn every_pair_of_wrappers_goes_in_both_orders() {
 #[test]
 fn wrappers_go_around_each_other_and_twice() {
     check::<Whole<Deep<OnePass<Fine<Rgb888>>>>, LookOf<Rgb888, Sub8, u32, false, false>>();
+    check::<Counted<Rgb888>, LookOf<Rgb888, Sub4, u16, true, true>>();
+    check::<Unhurried<Rgb888>, LookOf<Rgb888, Sub4, u16, true, true>>();
+    check::<Counted<Fine<Unhurried<Rgb888>>>, LookOf<Rgb888, Sub8, u16, true, true>>();
+    check::<Unhurried<Whole<Counted<Deep<Rgb888>>>>, LookOf<Rgb888, Sub4, u32, false, true>>();
+    check::<Deep<Counted<OnePass<Rgb888>>>, LookOf<Rgb888, Sub4, u32, true, false>>();
     check::<Fine<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u16, true, true>>();
 }
 

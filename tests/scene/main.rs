@@ -10,6 +10,7 @@ mod reference {
 mod snapped_faces;
 
 mod clipped_faces;
+mod counters;
 mod depth_row;
 mod looks;
 mod number_range;

@@ -10,7 +10,10 @@ use proptest::{
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
-    scene::{Deep, DepthWidth, Fine, Frame, Look, Memory, Model, OnePass, Pose, Rotation, ScreenPrecision, Whole},
+    scene::{
+        Counted, Deep, DepthWidth, Fine, Frame, Look, Memory, Model, OnePass, Pose, Rotation, ScreenPrecision,
+        Unhurried, Whole,
+    },
     shade::{Attributes, Gouraud, LitTextured, Shading, Texels, Textured},
 };
 
@@ -29,6 +32,7 @@ impl<H: Shading, S: ScreenPrecision, D: DepthWidth + 'static, const CLIPS: bool,
     type Shading = H;
     type Precision = S;
     type Depth = D;
+    type Counting = ();
     const CLIPS: bool = CLIPS;
     const DRAWS_IN_PASSES: bool = PASSES;
 }
@@ -109,6 +113,9 @@ fn check_pairs<H: Skinned<Color = Rgb565>>() {
     check::<Whole<OnePass<H>>, Named<H, Sub4, u16, false, false>>();
     check::<OnePass<Whole<H>>, Named<H, Sub4, u16, false, false>>();
     check::<Whole<Deep<OnePass<Fine<H>>>>, Named<H, Sub8, u32, false, false>>();
+    check::<Counted<H>, Named<H, Sub4, u16, true, true>>();
+    check::<Unhurried<H>, Named<H, Sub4, u16, true, true>>();
+    check::<Unhurried<Fine<Counted<H>>>, Named<H, Sub8, u16, true, true>>();
 }
 
 #[test]

@@ -15,6 +15,8 @@ impl<L: Look> Look for Deep<L> {
     type Shading = L::Shading;
     type Precision = L::Precision;
     type Depth = u32;
+    type Counting = L::Counting;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    const HURRIES: bool = L::HURRIES;
 }

@@ -15,6 +15,8 @@ impl<L: Look> Look for Fine<L> {
     type Shading = L::Shading;
     type Precision = Sub8;
     type Depth = L::Depth;
+    type Counting = L::Counting;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    const HURRIES: bool = L::HURRIES;
 }

@@ -3,18 +3,23 @@
 //! A shading is a look, and a colour the plainest one. Each other file here is a wrapper around any look that changes one thing of it; wrappers go
 //! around each other in any order: `Fine<Whole<Rgb565>>`.
 
+mod counted;
 mod deep;
 mod fine;
 mod one_pass;
+mod unhurried;
 mod whole;
 
+pub use counted::Counted;
 pub use deep::Deep;
 pub use fine::Fine;
 pub use one_pass::OnePass;
+pub use unhurried::Unhurried;
 pub use whole::Whole;
 
 use crate::{
     geometry::Sub4,
+    scene::counters::Counting,
     shade::Shading,
     surface::BandColor,
     view::{DepthWidth, ScreenPrecision},
@@ -25,8 +30,8 @@ use crate::{
 ///
 /// Every [`Shading`] is a look, and a colour is the plainest one, with a colour a face: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, faces are cut, rows are drawn in
 /// passes where they must. A wrapper changes one thing of another look, in any order: [`Fine`] (positions at 1/256 pixel), [`Deep`]
-/// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes). A look can also be a type of the
-/// program's own.
+/// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes), [`Counted`] (counters), [`Unhurried`] (no
+/// shortcuts). A look can also be a type of the program's own.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -62,6 +67,9 @@ pub trait Look: 'static {
     /// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
     type Depth: DepthWidth;
 
+    /// `()`; in looks that are [`Counted`], the counters of a frame.
+    type Counting: Counting;
+
     /// Whether faces are cut at the near plane and at the guard band, so that a scene may be anywhere, also around the camera.
     /// Flash: about 3 KB on a Cortex-M3 at opt-level "s".
     ///
@@ -77,6 +85,10 @@ pub trait Look: 'static {
     ///
     /// Without, [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says how many slots would do.
     const DRAWS_IN_PASSES: bool = true;
+
+    /// Whether frames take the shortcuts that they allow: rows in which no face overlaps another are filled without depths, and
+    /// faces are looked through for those to be cut only where a vertex is off the screen.
+    const HURRIES: bool = true;
 }
 
 impl<H: Shading> Look for H {
@@ -84,4 +96,5 @@ impl<H: Shading> Look for H {
     type Shading = H;
     type Precision = Sub4;
     type Depth = u16;
+    type Counting = ();
 }

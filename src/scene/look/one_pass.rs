@@ -15,6 +15,8 @@ impl<L: Look> Look for OnePass<L> {
     type Shading = L::Shading;
     type Precision = L::Precision;
     type Depth = L::Depth;
+    type Counting = L::Counting;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = false;
+    const HURRIES: bool = L::HURRIES;
 }

@@ -15,6 +15,8 @@ impl<L: Look> Look for Whole<L> {
     type Shading = L::Shading;
     type Precision = L::Precision;
     type Depth = L::Depth;
+    type Counting = L::Counting;
     const CLIPS: bool = false;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    const HURRIES: bool = L::HURRIES;
 }

@@ -6,7 +6,7 @@ use plotters::style::text_anchor::{HPos, VPos};
 
 use crate::{
     docs::{
-        effects::Cost,
+        effect_cost::Cost,
         plot::{Area, FAINT, INK, label, with_font},
     },
     report::grouped,

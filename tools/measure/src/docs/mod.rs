@@ -5,6 +5,7 @@
 mod algorithms;
 mod band_height;
 mod bands;
+mod effect_cost;
 mod effect_plot;
 mod effects;
 mod page;

@@ -1,0 +1,109 @@
+//! Counters of a frame: what was there to do, what was left out, and what was done.
+//!
+//! They lie in the prepared frame and nowhere else, and only where a look [counts](crate::scene::Counted): otherwise their type is
+//! `()`, and what adds to them is no code.
+
+use core::{cell::Cell, fmt::Debug};
+
+use crate::visible::Count;
+
+/// What a frame took: what there was, what was left out, and what was done, in a look that is [`Counted`](crate::scene::Counted).
+///
+/// Numbers of faces are those of the whole frame; the others are of the rows that were drawn since it was prepared.
+#[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Counters {
+    /// Faces of all models.
+    pub faces: u32,
+    /// Faces that are left out: seen from behind, beyond a side of the picture, or between the centres of pixels.
+    pub faces_culled: u32,
+    /// Faces that were cut at the near plane or the guard band.
+    pub faces_cut: u32,
+    /// Rows that were drawn.
+    pub rows: u32,
+    /// Rows that were drawn without depths, because no face overlaps another in them.
+    pub rows_without_depth: u32,
+    /// Rows that were drawn in more than one pass.
+    pub rows_in_passes: u32,
+    /// Spans that were filled without depths.
+    pub spans_filled: u32,
+    /// Pixels of such spans: depth tests that were left out. A row in which an overlap turns up is drawn once more.
+    pub pixels_filled: u32,
+    /// Spans whose depths were tested.
+    pub spans_tested: u32,
+    /// Pixels of such spans: depth tests that were made.
+    pub pixels_tested: u32,
+    /// Pixels whose colour was computed from attributes: for a texture, its texels.
+    pub fragments: u32,
+    /// Divisions by a depth, for attributes in perspective.
+    pub divisions: u32,
+}
+
+// Not re-exported: whether a look counts is said by its wrapper.
+/// Where the counters of a frame are: nowhere (`()`), or in the prepared frame.
+pub trait Counting: Default + Debug {
+    /// What code has that may count.
+    type Count<'c>: Count
+    where
+        Self: 'c;
+
+    /// The counters, to add to.
+    fn count(&self) -> Self::Count<'_>;
+}
+
+impl Counting for () {
+    type Count<'c> = ();
+
+    #[inline(always)]
+    fn count(&self) {}
+}
+
+impl Counting for Cell<Counters> {
+    type Count<'c> = &'c Self;
+
+    #[inline]
+    fn count(&self) -> &Self {
+        self
+    }
+}
+
+impl Count for &Cell<Counters> {
+    fn filled(self, pixels: usize) {
+        self.add(|counters| {
+            counters.spans_filled += u32::from(pixels > 0);
+            counters.pixels_filled += pixels as u32;
+        });
+    }
+
+    fn tested(self, pixels: usize) {
+        self.add(|counters| {
+            counters.spans_tested += u32::from(pixels > 0);
+            counters.pixels_tested += pixels as u32;
+        });
+    }
+
+    fn fragment(self) {
+        self.add(|counters| counters.fragments += 1);
+    }
+
+    fn divisions(self, number: u32) {
+        self.add(|counters| counters.divisions += number);
+    }
+
+    fn row(self) {
+        self.add(|counters| counters.rows += 1);
+    }
+}
+
+/// Adds to counters in a cell.
+trait Add {
+    fn add(self, change: impl FnOnce(&mut Counters));
+}
+
+impl Add for &Cell<Counters> {
+    fn add(self, change: impl FnOnce(&mut Counters)) {
+        let mut counters = self.get();
+        change(&mut counters);
+        self.set(counters);
+    }
+}
