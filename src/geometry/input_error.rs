@@ -73,6 +73,13 @@ pub enum InputError {
     NoDirection,
     /// A position, after it was turned or moved, is more than 32,767 units from the origin: choose a coarser unit.
     PositionOutOfDomain,
+    /// An affine map stretches by 128 or more, or flattens space, so that nothing undoes it: choose smaller factors, or coarser units.
+    ScaleOutOfDomain,
+    /// A model that an affine map stretches reaches more than 262,143 units from the camera: choose a coarser unit.
+    ModelOutOfDomain {
+        /// The index of the model among the models.
+        model: usize,
+    },
     /// A vertex is in front of the near plane, and the frame's look does not cut faces
     /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)). The storage can be prepared again.
     BeforeNearPlane {
@@ -143,6 +150,14 @@ impl Display for InputError {
             }
             Self::PositionOutOfDomain => {
                 formatter.write_str("a position more than 32,767 units from the origin: choose a coarser unit")
+            }
+            Self::ScaleOutOfDomain => formatter
+                .write_str("an affine map stretches by 128 or more, or flattens space so that nothing undoes it"),
+            Self::ModelOutOfDomain { model } => {
+                write!(
+                    formatter,
+                    "model {model} reaches more than 262,143 units from the camera: choose a coarser unit"
+                )
             }
             Self::BeforeNearPlane { model } => write_off_screen(formatter, *model, "in front of the near plane"),
             Self::BeyondGuardBand { model } => write_off_screen(formatter, *model, "too far beside the viewport"),

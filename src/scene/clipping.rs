@@ -9,8 +9,8 @@ use crate::{
         off_screen::{eye_corner, is_outside, project_corner},
         preparation::{Preparation, begin, visible_rows},
     },
-    shade::Attributes,
-    view::{Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
+    shade::{Attributes, Shading},
+    view::{AffineEyeTransform, Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
 };
 
 /// A polygon of a look that is cut.
@@ -26,7 +26,9 @@ impl<L: Look> Preparation<'_, L> {
         first_vertex: usize,
         first_face: usize,
     ) {
-        for (index, face) in model.mesh().faces().iter().enumerate().rev() {
+        let is_mirrored = model.is_mirrored();
+        for (index, &[a, b, c]) in model.mesh().faces().iter().enumerate().rev() {
+            let face = &if is_mirrored { [a, c, b] } else { [a, b, c] };
             let node = first_face + index;
             let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
                 continue;
@@ -53,13 +55,11 @@ impl<L: Look> Preparation<'_, L> {
         face: &[u16; 3],
         (first_vertex, order): (usize, u16),
     ) {
-        let transform = EyeTransform::new(&model.pose, camera.pose());
         let (mut polygon, mut kept) = (PolygonOf::<L>::new(), PolygonOf::<L>::new());
-        for index in face {
-            let vertex = model.mesh().vertices().get(usize::from(*index));
+        for (index, position) in face.iter().zip(eye_corners::<L>(camera, model, face)) {
             let attributes = self.tables.attributes.get(first_vertex + usize::from(*index));
             let pushed = polygon.push(PolygonCorner {
-                position: eye_corner::<L::Precision>(&transform, vertex.copied().unwrap_or_default()),
+                position,
                 attributes: attributes.copied().unwrap_or(AttributesOf::<L>::ZERO),
             });
             debug_assert!(pushed.is_ok(), "three corners of eight");
@@ -112,6 +112,26 @@ impl<L: Look> Preparation<'_, L> {
         if let Some(attributes) = self.tables.attributes.get_mut(first..self.vertices_needed) {
             attributes.copy_from_slice(&corners);
         }
+    }
+}
+
+/// The corners of a face in eye space.
+fn eye_corners<L: Look>(
+    camera: &Camera,
+    model: &Model<'_, L::Shading>,
+    face: &[u16; 3],
+) -> [[<L::Precision as ScreenPrecision>::Wide; 3]; 3] {
+    let vertex = |index: u16| model.mesh().vertices().get(usize::from(index));
+    let vertices = face.map(|index| vertex(index).copied().unwrap_or_default());
+    if L::Shading::HAS_AFFINE_MAP {
+        let affine = L::Shading::affine(model.skin());
+        // It was there when the vertices were transformed.
+        AffineEyeTransform::new(affine, &model.pose, camera.pose()).map_or_else(Default::default, |transform| {
+            vertices.map(|vertex| eye_corner::<L::Precision>(&transform, vertex))
+        })
+    } else {
+        let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
+        vertices.map(|vertex| eye_corner::<L::Precision>(&transform, vertex))
     }
 }
 

@@ -53,7 +53,7 @@ mod scene_item;
 
 pub use crate::{
     mesh::FaceSet,
-    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 pub use frame::Frame;
 pub use look::{Deep, Fine, Look, OnePass, Whole};

@@ -3,7 +3,7 @@
 
 use crate::{
     clip::convex::Plane,
-    view::{DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex, WideVertex},
+    view::{DepthWidth, EyePoint, Projection, ScreenPrecision, ScreenVertex, ToEye, WideVertex},
 };
 
 /// The entry of a vertex that is off the screen in the table of projected vertices: x is the mark [`ScreenPrecision::OUTSIDE`],
@@ -12,7 +12,7 @@ use crate::{
 #[inline(never)]
 pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
     projection: &Projection<S, D>,
-    transform: &EyeTransform<S>,
+    transform: &impl ToEye,
     vertex: [i16; 3],
 ) -> ScreenVertex<S, D> {
     let mut corner = eye_corner::<S>(transform, vertex);
@@ -36,7 +36,7 @@ pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
 /// A vertex of a model in eye space, in the wide numbers that faces are cut in.
 #[cold]
 #[inline(never)]
-pub(super) fn eye_corner<S: ScreenPrecision>(transform: &EyeTransform<S>, vertex: [i16; 3]) -> [S::Wide; 3] {
+pub(super) fn eye_corner<S: ScreenPrecision>(transform: &impl ToEye, vertex: [i16; 3]) -> [S::Wide; 3] {
     let EyePoint { x, y, z } = transform.apply(vertex);
     [S::wide(x.into()), S::wide(y.into()), S::wide(z.into())]
 }

@@ -4,7 +4,6 @@ use core::ops::Range;
 
 use crate::{
     geometry::{InputError, TooSmall, Window, pixel_domain},
-    mesh::FaceSet,
     scene::{
         Frame, Look, Model, Prepared,
         frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
@@ -12,7 +11,10 @@ use crate::{
         preparation::{Preparation, begin, visible_rows},
     },
     shade::{Planes, Shading},
-    view::{Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex},
+    view::{
+        AffineEyeTransform, Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex,
+        ToEye,
+    },
 };
 
 /// The clipping boundary beyond which an off-screen vertex lies.
@@ -38,6 +40,7 @@ impl<L: Look> Frame<'_, L> {
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport is;
+    /// [`InputError::ModelOutOfDomain`] where an affine map makes a model too large;
     /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] where faces
     /// are not cut.
     #[inline]
@@ -124,14 +127,19 @@ impl<L: Look> Preparation<'_, L> {
         let mut attributes = &mut *tables.attributes;
         let mut all_inside = true;
         for (index, model) in models.iter().enumerate() {
-            let transform = EyeTransform::new(&model.pose, camera.pose());
             let vertices = model.mesh().vertices();
             // The capacity was checked: there is room for all vertices.
             let Some((slots_of_model, rest)) = slots.split_at_mut_checked(vertices.len()) else {
                 break;
             };
-            all_inside &= transform_model::<L>(projection, &transform, vertices, slots_of_model)
-                .map_err(|beyond| beyond.error(index))?;
+            let transformed = if L::Shading::HAS_AFFINE_MAP {
+                let transform = affine_transform(model, camera).ok_or(InputError::ModelOutOfDomain { model: index })?;
+                transform_model::<L>(projection, &transform, vertices, slots_of_model)
+            } else {
+                let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
+                transform_model::<L>(projection, &transform, vertices, slots_of_model)
+            };
+            all_inside &= transformed.map_err(|beyond| beyond.error(index))?;
             slots = rest;
             if AttributesOf::<L>::VARY {
                 let Some((attributes_of_model, rest)) = attributes.split_at_mut_checked(vertices.len()) else {
@@ -164,26 +172,47 @@ impl<L: Look> Preparation<'_, L> {
                 self.sort_faces_to_cut(camera, model, first_vertex, first_face);
             } else {
                 self.tables
-                    .sort_whole_faces(mesh, first_vertex, first_face, &self.viewport);
+                    .sort_whole_faces(model, first_vertex, first_face, &self.viewport);
             }
         }
     }
 }
 
+/// The corners of a face of a look.
+type Corners<'v, L> = [&'v ScreenVertex<<L as Look>::Precision, <L as Look>::Depth>; 3];
+
 impl<L: Look> Tables<'_, L> {
     /// Puts the faces of a model of which none must be cut into their buckets. A loop of its own, because half of all
     /// faces end in it.
     #[inline(never)]
-    fn sort_whole_faces(&mut self, mesh: &FaceSet<'_>, first_vertex: usize, first_face: usize, viewport: &Window) {
+    fn sort_whole_faces(
+        &mut self,
+        model: &Model<'_, L::Shading>,
+        first_vertex: usize,
+        first_face: usize,
+        viewport: &Window,
+    ) {
+        let mesh = model.mesh();
+        let is_mirrored = model.is_mirrored();
         let last_vertex = first_vertex + mesh.vertices().len();
         let vertices = self.vertices.get(first_vertex..last_vertex).unwrap_or_default();
         let next = self.next.get_mut(first_face..).unwrap_or_default();
         for (index, (face, next)) in mesh.faces().iter().zip(next).enumerate().rev() {
-            if let Some(rows) = corners(vertices, face).and_then(|corners| visible_rows(corners, viewport)) {
+            let visible = |[a, b, c]: Corners<'_, L>| {
+                let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
+                visible_rows(corners, viewport)
+            };
+            if let Some(rows) = corners(vertices, face).and_then(visible) {
                 *next = begin(self.rows, (first_face + index) as u16, rows);
             }
         }
     }
+}
+
+/// The transformation of a model by an affine map, if its vertices fit.
+fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera) -> Option<AffineEyeTransform> {
+    AffineEyeTransform::new(H::affine(model.skin()), &model.pose, camera.pose())
+        .filter(|transform| transform.fits(model.mesh().vertices()))
 }
 
 /// Transforms the vertices of a model. Returns whether all are on the screen; where no face is cut, one that is not is
@@ -192,7 +221,7 @@ impl<L: Look> Tables<'_, L> {
 #[inline(never)]
 fn transform_model<L: Look>(
     projection: &Projection<L::Precision, L::Depth>,
-    transform: &EyeTransform<L::Precision>,
+    transform: &impl ToEye,
     vertices: &[[i16; 3]],
     slots: &mut [ScreenVertex<L::Precision, L::Depth>],
 ) -> Result<bool, OutsideOf> {

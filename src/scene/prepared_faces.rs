@@ -9,6 +9,7 @@ use crate::{
     scene::{
         Look, Model, faces,
         frame::{ActiveListOf, AttributesOf, FRAGMENT, RowStart, Tables, corners, is_whole},
+        model::outward,
     },
     shade::{Planes, Shading},
     surface::{BandColor, Order, Target},
@@ -123,7 +124,8 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
         let uniforms = L::Shading::uniforms(model.skin(), &model.pose);
         let word = L::Shading::face(model.skin(), &uniforms, face)?;
         let corners = if is_whole::<L>(node) {
-            corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)
+            let face = model.outward(*model.mesh().faces().get(face)?);
+            corners(self.vertices.get(first_vertex..)?, &face)
         } else {
             self.fragment(node)
         };
@@ -170,7 +172,8 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         let face = self.first_faces.get(usize::from(node))?;
         let (skin, uniforms) = self.first_skin.as_ref()?;
         let word = L::Shading::face(skin, uniforms, usize::from(node))?;
-        Some((corners(self.vertices, face)?, word))
+        let face = outward::<L::Shading>(skin, *face);
+        Some((corners(self.vertices, &face)?, word))
     }
 
     #[inline]
@@ -183,14 +186,16 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
             let start = usize::from(node & !FRAGMENT) + 1;
             return self.attributes.get(start..)?.first_chunk().copied();
         }
-        let (first_vertex, face) = match self.first_faces.get(usize::from(node)) {
-            Some(face) => (0, face),
+        let (first_vertex, [a, b, c]) = match self.first_faces.get(usize::from(node)) {
+            Some(face) => {
+                let (skin, _) = self.first_skin.as_ref()?;
+                (0, outward::<L::Shading>(skin, *face))
+            }
             None => {
                 let (model, first_vertex, face) = faces::find(self.models, node)?;
-                (first_vertex, model.mesh().faces().get(face)?)
+                (first_vertex, model.outward(*model.mesh().faces().get(face)?))
             }
         };
-        let [a, b, c] = *face;
         let attributes = |index: u16| self.attributes.get(first_vertex + usize::from(index)).copied();
         Some([attributes(a)?, attributes(b)?, attributes(c)?])
     }

@@ -32,7 +32,7 @@ pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
 pub use shading::{
     Attributes, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin,
-    Perspective, Shading, Textured, TexturedSkin,
+    Perspective, Shading, Textured, TexturedSkin, Transformed,
 };
 pub(crate) use shading::{Flat, PlaneSource, Planes, Run, Shade, SpanPosition};
 pub(crate) use span_blender::SpanBlender;

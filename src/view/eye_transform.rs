@@ -14,6 +14,12 @@ pub(crate) struct EyePoint {
     pub(crate) z: i32,
 }
 
+/// A transformation from the vertices of one model to eye space.
+pub(crate) trait ToEye {
+    /// A vertex in eye space. Nothing wraps: see [`EyePoint`].
+    fn apply(&self, vertex: [i16; 3]) -> EyePoint;
+}
+
 /// The transformation from the vertices of one model to eye space: a matrix and a translation, with
 /// [`Sub4`](crate::geometry::Sub4) in 2.14 and in 1/4096 unit, with [`Sub8`](crate::geometry::Sub8) with 30 fractional bits each.
 #[derive(Debug, Copy, Clone)]
@@ -34,10 +40,12 @@ impl<S: ScreenPrecision> EyeTransform<S> {
             translation: to_eye.matrix().each_ref().map(|row| S::eye_offset(row, &offset)),
         }
     }
+}
 
-    /// Three multiplications a coordinate. Nothing wraps: see [`EyePoint`].
+impl<S: ScreenPrecision> ToEye for EyeTransform<S> {
+    /// Three multiplications a coordinate.
     #[inline]
-    pub(crate) fn apply(&self, vertex: [i16; 3]) -> EyePoint {
+    fn apply(&self, vertex: [i16; 3]) -> EyePoint {
         let [row_x, row_y, row_z] = &self.rows;
         let [t_x, t_y, t_z] = self.translation;
         EyePoint {
@@ -48,7 +56,7 @@ impl<S: ScreenPrecision> EyeTransform<S> {
     }
 }
 
-fn difference(model: I16F16, camera: I16F16) -> i64 {
+pub(super) fn difference(model: I16F16, camera: I16F16) -> i64 {
     i64::from(model.to_bits()) - i64::from(camera.to_bits())
 }
 

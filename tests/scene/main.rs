@@ -9,6 +9,7 @@ mod reference {
 #[path = "../common/snapped_faces.rs"]
 mod snapped_faces;
 
+mod affine_maps;
 mod clipped_faces;
 mod depth_row;
 mod looks;

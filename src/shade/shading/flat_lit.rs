@@ -8,13 +8,13 @@ use core::marker::PhantomData;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{FaceSet, unit_normal},
+    mesh::{FaceSet, normal, unit_normal},
     shade::{
         ChannelColor, Shading,
         layout::{Channels, Layout},
         shading::lambert::{LIGHT_BITS, Lambert, ModelLights},
     },
-    view::Pose,
+    view::{Affine, Pose},
 };
 
 /// A colour for each face under `LIGHTS` lights, the same all over the face.
@@ -63,14 +63,33 @@ impl<C: ChannelColor, const LIGHTS: usize> Shading for FlatLit<C, LIGHTS> {
 
     #[inline]
     fn face(skin: &Self::Skin<'_>, lights: &ModelLights<LIGHTS>, face: usize) -> Option<C::Word> {
-        let normal = skin.normals.get(face)?;
-        let color = skin.colors.get(face).or(skin.colors.last())?;
-        Some(lit::<C::Layout>(color.to_word(), lights.on(unit_normal(*normal))))
+        let light = lights.on(unit_normal(*skin.normals.get(face)?));
+        skin.lit_face(face, light)
+    }
+
+    #[inline]
+    fn transformed_face(
+        skin: &Self::Skin<'_>,
+        lights: &ModelLights<LIGHTS>,
+        normals: &Affine,
+        face: usize,
+    ) -> Option<C::Word> {
+        let light = lights.on(normals.unit_vector(normal(*skin.normals.get(face)?)));
+        skin.lit_face(face, light)
     }
 
     #[inline]
     fn fragment(_: &Self::Skin<'_>, face: C::Word, (): &()) -> C::Word {
         face
+    }
+}
+
+impl<C: ChannelColor, const LIGHTS: usize> FlatLitSkin<'_, C, LIGHTS> {
+    /// The word of a face under a light in 1/32,768.
+    #[inline]
+    fn lit_face(&self, face: usize, light: i32) -> Option<C::Word> {
+        let color = self.colors.get(face).or(self.colors.last())?;
+        Some(lit::<C::Layout>(color.to_word(), light))
     }
 }
 

@@ -12,13 +12,13 @@ use core::marker::PhantomData;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{FaceSet, unit_normal},
+    mesh::{FaceSet, normal, unit_normal},
     shade::{
         ChannelColor, Shading,
         layout::{Channel, Channels, Layout},
         shading::lambert::{LIGHT_BITS, Lambert, ModelLights},
     },
-    view::Pose,
+    view::{Affine, Pose},
 };
 
 /// Colours at the vertices under `LIGHTS` lights, and evenly between them on the screen (Gouraud 1971).
@@ -64,14 +64,17 @@ impl<C: ChannelColor, const LIGHTS: usize> Shading for Gouraud<C, LIGHTS> {
 
     #[inline]
     fn vertex(skin: &Self::Skin<'_>, lights: &ModelLights<LIGHTS>, vertex: usize) -> [i16; 3] {
-        let color = skin.colors.get(vertex).or(skin.colors.last());
-        let normal = if LIGHTS == 0 {
-            [0; 3]
-        } else {
-            unit_normal(skin.normals.get(vertex).copied().unwrap_or_default())
-        };
-        let word = color.map_or(C::Layout::narrow(0), |color| color.to_word());
-        levels::<C::Layout>(C::Layout::split(word), lights.on(normal))
+        skin.lit_vertex(lights, vertex, unit_normal)
+    }
+
+    #[inline]
+    fn transformed_vertex(
+        skin: &Self::Skin<'_>,
+        lights: &ModelLights<LIGHTS>,
+        normals: &Affine,
+        vertex: usize,
+    ) -> [i16; 3] {
+        skin.lit_vertex(lights, vertex, |bytes| normals.unit_vector(normal(bytes)))
     }
 
     #[inline]
@@ -82,6 +85,26 @@ impl<C: ChannelColor, const LIGHTS: usize> Shading for Gouraud<C, LIGHTS> {
     #[inline(always)]
     fn fragment(_: &Self::Skin<'_>, _: C::Word, [low, middle, high]: &[i32; 3]) -> C::Word {
         word_of::<C>([*low, *middle, *high])
+    }
+}
+
+impl<C: ChannelColor, const LIGHTS: usize> GouraudSkin<'_, C, LIGHTS> {
+    /// The channels of a vertex under lights, for how two bytes are a normal of length 1.
+    #[inline(always)]
+    fn lit_vertex(
+        &self,
+        lights: &ModelLights<LIGHTS>,
+        vertex: usize,
+        unit_normal: impl FnOnce([i8; 2]) -> [i32; 3],
+    ) -> [i16; 3] {
+        let color = self.colors.get(vertex).or(self.colors.last());
+        let normal = if LIGHTS == 0 {
+            [0; 3]
+        } else {
+            unit_normal(self.normals.get(vertex).copied().unwrap_or_default())
+        };
+        let word = color.map_or(C::Layout::narrow(0), |color| color.to_word());
+        levels::<C::Layout>(C::Layout::split(word), lights.on(normal))
     }
 }
 

@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{FaceSet, unit_normal},
+    mesh::{FaceSet, normal, unit_normal},
     shade::{
         ChannelColor, Shading,
         layout::Layout,
@@ -18,7 +18,7 @@ use crate::{
             textured::{check_coordinates, texel, tolerance},
         },
     },
-    view::Pose,
+    view::{Affine, Pose},
 };
 
 /// A texture of `WIDTH` x `HEIGHT` texels, powers of two, which repeats in both directions, under `LIGHTS` lights.
@@ -83,11 +83,17 @@ impl<C: ChannelColor, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usi
 
     #[inline]
     fn vertex(skin: &Self::Skin<'_>, lights: &ModelLights<LIGHTS>, vertex: usize) -> Perspective<3> {
-        let [u, v] = skin.coordinates.get(vertex).copied().unwrap_or_default();
-        let normal = unit_normal(skin.normals.get(vertex).copied().unwrap_or_default());
-        let light = (lights.on(normal) * BRIGHTEST) >> (LIGHT_BITS - LIGHT_FRACTION_BITS);
-        // Half a step above, to be rounded to the nearest.
-        Perspective([u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16])
+        skin.lit_vertex(vertex, |bytes| lights.on(unit_normal(bytes)))
+    }
+
+    #[inline]
+    fn transformed_vertex(
+        skin: &Self::Skin<'_>,
+        lights: &ModelLights<LIGHTS>,
+        normals: &Affine,
+        vertex: usize,
+    ) -> Perspective<3> {
+        skin.lit_vertex(vertex, |bytes| lights.on(normals.unit_vector(normal(bytes))))
     }
 
     #[inline]
@@ -101,6 +107,20 @@ impl<C: ChannelColor, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usi
         let light = light as u32;
         // Both ends are exact: 0 and 32 of 32.
         C::Layout::scaled(texel(skin.texels, [*u, *v]), light + (light >> (FACTOR_BITS - 1)))
+    }
+}
+
+impl<C: ChannelColor, const WIDTH: usize, const HEIGHT: usize, const LIGHTS: usize>
+    LitTexturedSkin<'_, C, WIDTH, HEIGHT, LIGHTS>
+{
+    /// What varies from a vertex on, for the light on the two bytes of a normal.
+    #[inline(always)]
+    fn lit_vertex(&self, vertex: usize, light: impl FnOnce([i8; 2]) -> i32) -> Perspective<3> {
+        let [u, v] = self.coordinates.get(vertex).copied().unwrap_or_default();
+        let light = light(self.normals.get(vertex).copied().unwrap_or_default());
+        let light = (light * BRIGHTEST) >> (LIGHT_BITS - LIGHT_FRACTION_BITS);
+        // Half a step above, to be rounded to the nearest.
+        Perspective([u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16])
     }
 }
 

@@ -13,6 +13,7 @@ mod lambert;
 mod lit_textured;
 mod perspective;
 mod textured;
+mod transformed;
 
 pub use attributes::Attributes;
 pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
@@ -23,8 +24,14 @@ pub use lambert::{DirectionalLight, Lambert};
 pub use lit_textured::{LitTextured, LitTexturedSkin};
 pub use perspective::Perspective;
 pub use textured::{Textured, TexturedSkin};
+pub use transformed::Transformed;
 
-use crate::{geometry::TooSmall, mesh::FaceSet, surface::BandColor, view::Pose};
+use crate::{
+    geometry::TooSmall,
+    mesh::FaceSet,
+    surface::BandColor,
+    view::{Affine, Pose},
+};
 
 /// How the faces of a model get their colours. Every colour is the plainest shading: one colour a face.
 ///
@@ -128,6 +135,40 @@ pub trait Shading: 'static {
         face: <Self::Color as BandColor>::Word,
         attributes: &<Self::Attributes as Planes>::Values,
     ) -> <Self::Color as BandColor>::Word;
+
+    /// Whether models have an [affine map](Self::affine) before their poses, as [`Transformed`] ones do. Where they have none, nothing
+    /// is linked for it.
+    const HAS_AFFINE_MAP: bool = false;
+
+    /// The affine map of a model, which takes its vertices to where its pose then moves them. Called a few times a model and frame, and
+    /// once a face.
+    fn affine<'s>(_: &'s Self::Skin<'_>) -> &'s Affine {
+        &Affine::IDENTITY
+    }
+
+    /// The attributes of a vertex of a [`Transformed`] model. A shading with normals takes them through the matrix of `normals`
+    /// ([`Affine::normals`]); any other one has the attributes that it has without a map.
+    #[inline]
+    fn transformed_vertex(
+        skin: &Self::Skin<'_>,
+        uniforms: &Self::Uniforms,
+        _normals: &Affine,
+        vertex: usize,
+    ) -> Self::Attributes {
+        Self::vertex(skin, uniforms, vertex)
+    }
+
+    /// The word of a face of a [`Transformed`] model. A shading with normals takes them through the matrix of `normals`
+    /// ([`Affine::normals`]); any other one has the word that it has without a map.
+    #[inline]
+    fn transformed_face(
+        skin: &Self::Skin<'_>,
+        uniforms: &Self::Uniforms,
+        _normals: &Affine,
+        face: usize,
+    ) -> Option<<Self::Color as BandColor>::Word> {
+        Self::face(skin, uniforms, face)
+    }
 }
 
 /// The colours of the fragments along a span, from left to right.

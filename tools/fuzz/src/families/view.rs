@@ -4,12 +4,15 @@ use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::{
     geometry::{Point, Size},
+    pixelcolor::Gray8,
     primitives::Rectangle,
 };
-use fixed::types::{I2F30, I16F16, U0F16};
+use fixed::types::{I2F30, I8F24, I16F16, U0F16};
 use zrow::{
+    band::Band,
     geometry::{InputError, Sub4, Sub8, Window},
-    scene::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    scene::{Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Look, Memory, Model, Pose, Rotation, ScreenPrecision},
+    shade::{DirectionalLight, FlatLit, FlatLitSkin, Lambert, Transformed},
 };
 
 use crate::{
@@ -92,6 +95,88 @@ impl Case for RotationCase {
             is_orthonormal(&all, 64)?;
         }
         Ok(())
+    }
+}
+
+/// Affine maps one after the other, and a model that they put before a camera.
+#[derive(Debug, Arbitrary)]
+pub struct AffineCase {
+    maps: List<([[Int; 3]; 3], [Int; 3], Number<u8>), 4>,
+    turn: Turn,
+    position: [Int; 3],
+    vertices: [[Number<i16>; 3]; 4],
+    normal: [u8; 2],
+}
+
+impl AffineCase {
+    /// The maps, one after the other as far as they fit.
+    fn map(&self) -> Affine {
+        let maps = self.maps.0.iter().map(|(matrix, translation, shift)| Affine {
+            matrix: matrix.map(|row| row.map(|part| I8F24::from_bits(part.0 >> (shift.0 % 12)))),
+            translation: translation.map(|part| I16F16::from_bits(part.0 >> (shift.0 % 16))),
+        });
+        maps.fold(Affine::IDENTITY, |map, next| map.then(&next).unwrap_or(map))
+    }
+
+    /// Prepares and draws a model in a look; its pixels are in the middle of the words.
+    fn check_in<L: Look<Color = Gray8, Shading = Transformed<FlatLit<Gray8>>>>(&self, map: Affine) -> Verdict {
+        let vertices = self.vertices.map(|vertex| vertex.map(|part| part.0));
+        let mesh = FaceSet::new(&vertices, &[[0, 1, 2], [0, 2, 1], [1, 2, 3], [3, 2, 1]])?;
+        let normals = [self.normal.map(|byte| byte as i8); 4];
+        let light = DirectionalLight::from_direction([1, -2, -3].map(I16F16::from_num::<i32>), U0F16::MAX)?;
+        let lights = Lambert {
+            ambient: U0F16::from_bits(100),
+            lights: [light],
+        };
+        let skin = FlatLitSkin {
+            colors: &[Gray8::new(255)],
+            normals: &normals,
+            lights,
+        };
+        let model = Model::<L::Shading>::with_skin(mesh, (skin, map))?;
+        let position = self.position.map(|coordinate| I16F16::from_bits(coordinate.0));
+        let models = [model.with_pose(Pose::new(self.turn.get(), position))];
+        let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(24, 16)), I16F16::from_num(8))?;
+        let mut memory = Memory::<L, 100, 4, 24, 16, 4>::new();
+        let mut prepared = match memory.prepare(&camera, &models) {
+            Ok(prepared) => prepared,
+            Err(error) => {
+                ensure!(
+                    error == InputError::ModelOutOfDomain { model: 0 },
+                    "{error}, which is new"
+                );
+                return Ok(());
+            }
+        };
+        let mut words = [0; 24 * 16];
+        prepared.draw(&mut Band::<Gray8>::new(camera.viewport().to_rectangle(), &mut words)?);
+        // One normal, one light.
+        let drawn: Vec<_> = words.iter().filter(|&&word| word != 0).collect();
+        ensure!(drawn.windows(2).all(|pair| pair[0] == pair[1]), "{words:?}");
+        Ok(())
+    }
+}
+
+impl Case for AffineCase {
+    fn check(&self) -> Verdict {
+        let map = self.map();
+        if let Ok(inverse) = map.inverse() {
+            ensure!(inverse != Affine::scaled([I8F24::ZERO; 3]), "of {map:?}");
+            let _ = inverse.inverse();
+        }
+        let greatest = map
+            .normals()
+            .matrix
+            .into_iter()
+            .flatten()
+            .map(I8F24::unsigned_abs)
+            .max();
+        ensure!(
+            greatest.is_some_and(|part| part == 0 || (32..=64).contains(&part.to_num::<u8>())),
+            "{map:?}"
+        );
+        self.check_in::<Transformed<FlatLit<Gray8>>>(map)?;
+        self.check_in::<Fine<Deep<Transformed<FlatLit<Gray8>>>>>(map)
     }
 }
 

@@ -12,7 +12,7 @@ use zrow::{
         Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Prepared, SceneItem, ScreenPrecision,
         Whole,
     },
-    shade::{FlatLit, Gouraud, LitTextured, Shading, Textured},
+    shade::{FlatLit, Gouraud, LitTextured, Shading, Textured, Transformed},
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
@@ -40,6 +40,10 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<LitTextured<Rgb888, 1, 16, 2>>,
     shaded::<EvenStripes>,
     shaded::<Stripes>,
+    shaded::<Transformed<Gouraud<Rgb565>>>,
+    look::<Transformed<Rgb565>>,
+    look::<Whole<Fine<Transformed<LitTextured<Rgb565, 64, 64>>>>>,
+    look::<Deep<Transformed<FlatLit<Gray4>>>>,
     model,
     scene_item::<LookOf<Rgb565, Sub4, u16, true>>,
     scene_item::<LookOf<Gray4, Sub8, u32, true>>,

@@ -1,12 +1,13 @@
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    scene::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 use zrow_panics_firmware::{any, keep};
 
 use crate::foreign::eq;
 
 pub const EXERCISES: &[fn()] = &[
+    affine,
     camera,
     depth_width::<u16>,
     depth_width::<u32>,
@@ -15,6 +16,16 @@ pub const EXERCISES: &[fn()] = &[
     screen_precision::<Sub4>,
     screen_precision::<Sub8>,
 ];
+
+#[inline(never)]
+fn affine() {
+    keep(Affine::scaled(any()));
+    keep(Affine::then(any(), any()));
+    keep(Affine::inverse(any()));
+    keep(Affine::normals(any()));
+    keep(Affine::from(any::<Pose>()));
+    eq::<Affine>();
+}
 
 #[inline(never)]
 fn camera() {
