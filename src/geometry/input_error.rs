@@ -64,6 +64,8 @@ pub enum InputError {
     },
     /// The near plane of a [`Camera`](crate::scene::Camera) must be at least 8 units of the vertices away: choose a finer unit.
     NearTooClose,
+    /// The far plane of a [`Camera`](crate::scene::Camera) must be behind its near plane.
+    FarTooClose,
     /// The viewport of a camera must have pixels, and lie within -8191 to 8191 pixels, the domain of
     /// [`Sub8`](crate::geometry::Sub8).
     ViewportOutOfDomain,
@@ -83,6 +85,12 @@ pub enum InputError {
     /// A vertex is in front of the near plane, and the frame's look does not cut faces
     /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)). The storage can be prepared again.
     BeforeNearPlane {
+        /// The index of the vertex's model among the models.
+        model: usize,
+    },
+    /// A vertex is behind the far plane, and the frame's look does not cut faces
+    /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)). The storage can be prepared again.
+    BehindFarPlane {
         /// The index of the vertex's model among the models.
         model: usize,
     },
@@ -141,6 +149,7 @@ impl Display for InputError {
                 write!(formatter, "face {face} names vertex {vertex}, which is not there")
             }
             Self::NearTooClose => formatter.write_str("the near plane must be at least 8 units away"),
+            Self::FarTooClose => formatter.write_str("the far plane must be behind the near plane"),
             Self::ViewportOutOfDomain => {
                 formatter.write_str("the viewport is empty or reaches beyond the coordinates of the precision")
             }
@@ -160,6 +169,7 @@ impl Display for InputError {
                 )
             }
             Self::BeforeNearPlane { model } => write_off_screen(formatter, *model, "in front of the near plane"),
+            Self::BehindFarPlane { model } => write_off_screen(formatter, *model, "behind the far plane"),
             Self::BeyondGuardBand { model } => write_off_screen(formatter, *model, "too far beside the viewport"),
         }
     }

@@ -1,4 +1,4 @@
-//! Cuts the faces that the near plane and the guard band cross. Linked only for frames whose look
+//! Cuts the faces that the near plane, the far plane and the guard band cross. Linked only for frames whose look
 //! [clips](crate::scene::Look::CLIPS).
 
 use crate::{
@@ -62,10 +62,14 @@ impl<L: Look> Preparation<'_, L> {
                 position,
                 attributes: attributes.copied().unwrap_or(AttributesOf::<L>::ZERO),
             });
-            debug_assert!(pushed.is_ok(), "three corners of eight");
+            debug_assert!(pushed.is_ok(), "three corners of nine");
         }
         let (mut polygon, mut kept) = (&mut polygon, &mut kept);
         sutherland_hodgman(polygon, &Plane::near(self.projection.near), kept);
+        if self.projection.far < i32::MAX {
+            core::mem::swap(&mut polygon, &mut kept);
+            sutherland_hodgman(polygon, &Plane::far(self.projection.far), kept);
+        }
         for corner in kept.iter_mut() {
             project_corner(&self.projection, &mut corner.position);
         }

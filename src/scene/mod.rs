@@ -44,6 +44,7 @@ mod frame;
 mod look;
 mod memory;
 mod model;
+mod near_plane;
 mod off_screen;
 mod preparation;
 mod prepare;

@@ -1,4 +1,4 @@
-//! Vertices off the screen, which are nearer than the near plane or beyond the guard band: how the table of projected vertices
+//! Vertices off the screen, which are nearer than the near plane, behind the far plane or beyond the guard band: how the table of projected vertices
 //! marks them, and how their faces' corners are computed when a face is cut.
 
 use crate::{
@@ -19,18 +19,38 @@ pub(super) fn off_screen<S: ScreenPrecision, D: DepthWidth>(
     let beyond = |side: &Plane, corner: &[S::Wide; 3]| i32::from(side.distance::<S>(corner) < 0);
     let mut sides = beyond(&Plane::near(projection.near), &corner);
     if sides == 0 {
+        let is_behind = beyond(&Plane::far(projection.far), &corner);
         project_corner(projection, &mut corner);
         for side in &Plane::guard_band::<S>() {
             sides = sides << 1 | beyond(side, &corner);
         }
-        // The lowest bit is the near plane's, and the vertex is not beyond that plane.
-        sides <<= 1;
+        // The lowest bits are those of the far and the near plane, and the vertex is not beyond that one.
+        sides = sides << 2 | is_behind << 1;
     }
     ScreenVertex {
         x: S::OUTSIDE,
         y: S::narrow(sides),
         z: D::FARTHEST,
     }
+}
+
+/// Marks the vertices of a model that are behind the far plane as off the screen. Returns whether there is one.
+#[cold]
+#[inline(never)]
+pub(super) fn mark_behind_far_plane<S: ScreenPrecision, D: DepthWidth>(
+    projection: &Projection<S, D>,
+    transform: &impl ToEye,
+    vertices: &[[i16; 3]],
+    slots: &mut [ScreenVertex<S, D>],
+) -> bool {
+    let mut any = false;
+    for (vertex, slot) in vertices.iter().zip(slots) {
+        if transform.apply(*vertex).z > projection.far {
+            *slot = off_screen(projection, transform, *vertex);
+            any = true;
+        }
+    }
+    any
 }
 
 /// A vertex of a model in eye space, in the wide numbers that faces are cut in.

@@ -7,7 +7,7 @@ use crate::{
     scene::{
         Frame, Look, Model, Prepared,
         frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
-        off_screen::off_screen,
+        off_screen::{mark_behind_far_plane, off_screen},
         preparation::{Preparation, begin, visible_rows},
     },
     shade::{Planes, Shading},
@@ -21,6 +21,7 @@ use crate::{
 #[derive(Debug, Copy, Clone)]
 enum OutsideOf {
     NearPlane,
+    FarPlane,
     GuardBand,
 }
 
@@ -28,6 +29,7 @@ impl OutsideOf {
     const fn error(self, model: usize) -> InputError {
         match self {
             Self::NearPlane => InputError::BeforeNearPlane { model },
+            Self::FarPlane => InputError::BehindFarPlane { model },
             Self::GuardBand => InputError::BeyondGuardBand { model },
         }
     }
@@ -35,13 +37,14 @@ impl OutsideOf {
 
 impl<L: Look> Frame<'_, L> {
     /// Prepares a frame: each vertex is transformed once; faces that are seen from behind or cover no pixel of the
-    /// viewport are left out; faces that cross the near plane or leave the guard band are cut, unless the
+    /// viewport are left out; faces that cross the near or the far plane or leave the guard band are cut, unless the
     /// look does without ([`Look::CLIPS`]).
     ///
     /// # Errors
-    /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport is;
+    /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport or
+    /// the picture's centre is;
     /// [`InputError::ModelOutOfDomain`] where an affine map makes a model too large;
-    /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] where faces
+    /// [`InputError::BeforeNearPlane`], [`InputError::BehindFarPlane`] and [`InputError::BeyondGuardBand`] where faces
     /// are not cut.
     #[inline]
     pub fn prepare<'f, 'm>(
@@ -60,7 +63,7 @@ impl<L: Look> Frame<'_, L> {
         models: &[Model<'_, L::Shading>],
     ) -> Result<Range<usize>, InputError> {
         let viewport = camera.viewport();
-        check_viewport::<L::Precision>(&viewport)?;
+        check_viewport::<L::Precision>(camera)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
         let faces = total(models.iter().map(|model| model.mesh().faces().len()));
         let most_vertices = self.tables.vertices.len().min(MOST_NODES);
@@ -94,9 +97,11 @@ impl<L: Look> Frame<'_, L> {
     }
 }
 
-fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), InputError> {
+fn check_viewport<S: ScreenPrecision>(camera: &Camera) -> Result<(), InputError> {
     let (min, max) = pixel_domain::<S>();
-    let inside = min <= viewport.left.min(viewport.top) && viewport.right.max(viewport.bottom) <= max;
+    let (viewport, [x, y]) = (camera.viewport(), camera.centre_pixel());
+    let inside = min <= viewport.left.min(viewport.top).min(x.min(y))
+        && viewport.right.max(viewport.bottom).max(x.max(y)) <= max;
     if inside {
         Ok(())
     } else {
@@ -134,10 +139,10 @@ impl<L: Look> Preparation<'_, L> {
             };
             let transformed = if L::Shading::HAS_AFFINE_MAP {
                 let transform = affine_transform(model, camera).ok_or(InputError::ModelOutOfDomain { model: index })?;
-                transform_model::<L>(projection, &transform, vertices, slots_of_model)
+                put_on_screen::<L>(projection, &transform, vertices, slots_of_model)
             } else {
                 let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
-                transform_model::<L>(projection, &transform, vertices, slots_of_model)
+                put_on_screen::<L>(projection, &transform, vertices, slots_of_model)
             };
             all_inside &= transformed.map_err(|beyond| beyond.error(index))?;
             slots = rest;
@@ -210,9 +215,26 @@ impl<L: Look> Tables<'_, L> {
 }
 
 /// The transformation of a model by an affine map, if its vertices fit.
-fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera) -> Option<AffineEyeTransform> {
+pub(super) fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera) -> Option<AffineEyeTransform> {
     AffineEyeTransform::new(H::affine(model.skin()), &model.pose, camera.pose())
         .filter(|transform| transform.fits(model.mesh().vertices()))
+}
+
+/// Transforms the vertices of a model. Returns whether all are on the screen and in front of the far plane; where no face is cut, one
+/// that is not is an error.
+#[inline]
+fn put_on_screen<L: Look>(
+    projection: &Projection<L::Precision, L::Depth>,
+    transform: &impl ToEye,
+    vertices: &[[i16; 3]],
+    slots: &mut [ScreenVertex<L::Precision, L::Depth>],
+) -> Result<bool, OutsideOf> {
+    let all_inside = transform_model::<L>(projection, transform, vertices, slots)?;
+    // Once more over the vertices, so that a frame without a far plane takes no time for it.
+    if projection.far < i32::MAX && mark_behind_far_plane(projection, transform, vertices, slots) {
+        return if L::CLIPS { Ok(false) } else { Err(OutsideOf::FarPlane) };
+    }
+    Ok(all_inside)
 }
 
 /// Transforms the vertices of a model. Returns whether all are on the screen; where no face is cut, one that is not is

@@ -76,6 +76,8 @@ pub(crate) struct WideVertex {
 pub(crate) struct Projection<S, D> {
     /// Near plane in 1/4096 unit.
     pub(crate) near: i32,
+    /// Far plane in 1/4096 unit; beyond every coordinate where there is none.
+    pub(crate) far: i32,
     /// The near plane's distance as 16 bits and a shift.
     near_mantissa: u32,
     near_exponent: u32,
@@ -83,7 +85,7 @@ pub(crate) struct Projection<S, D> {
     focal_length: i32,
     center_x: i32,
     center_y: i32,
-    /// The viewport's centre plus half a unit, with `RATIO_BITS` fractional bits, for rounding in 32-bit arithmetic.
+    /// The picture's centre plus half a unit, with `RATIO_BITS` fractional bits, for rounding in 32-bit arithmetic.
     rounded_center_x: i32,
     rounded_center_y: i32,
     /// The greatest x/z and y/z in size that stay inside the guard band, taken to its nearest side.
@@ -99,17 +101,17 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 
     pub(crate) fn new(camera: &Camera) -> Self {
         let viewport = camera.viewport();
-        let half_unit = 1 << (S::FRACTION_BITS - 1);
-        // Twice the centre of the viewport, minus the half pixel from u to x; below 2^15 times 2^8.
-        let center = |start: i32, end: i32| (start + end - 1) * half_unit;
+        // The centre, minus the half pixel from u to x, rounded to the nearest unit: below 2^14 times 2^8.
+        let half = 1 << (15 - S::FRACTION_BITS);
+        let center = |start: i32, from_start: I16F16| {
+            (start << S::FRACTION_BITS) + ((from_start.to_bits() - (1 << 15) + half) >> (16 - S::FRACTION_BITS))
+        };
+        let [centre_x, centre_y] = camera.centre();
         // The camera checked it: at least 8 units, which is 2^15 here.
         let near = camera.near().to_bits() >> 4;
         let near_exponent = exponent(near);
         let focal_length = camera.focal_length().to_bits() >> (16 - S::FRACTION_BITS);
-        let (center_x, center_y) = (
-            center(viewport.left, viewport.right),
-            center(viewport.top, viewport.bottom),
-        );
+        let (center_x, center_y) = (center(viewport.left, centre_x), center(viewport.top, centre_y));
         // One unit is left for rounding.
         let distance = |center: i32| (S::MAX_UNITS - center).min(center - S::MIN_UNITS).max(1) - 1;
         let distance = distance(center_x).min(distance(center_y)) as u64;
@@ -120,6 +122,11 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         let rounded = |center: i32| center << Self::RATIO_BITS | 1 << (Self::RATIO_BITS - 1);
         Self {
             near,
+            far: if camera.far() == I16F16::MAX {
+                i32::MAX
+            } else {
+                camera.far().to_bits() >> 4
+            },
             // Rounded down, so that it times a reciprocal stays below 2^32.
             near_mantissa: near as u32 >> near_exponent,
             near_exponent,
@@ -149,7 +156,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     }
 
     /// Projects a vertex to the same integers as [`project`](Self::project). `None` where the vertex is further from
-    /// the centre of the viewport than the nearest side of the guard band is.
+    /// the centre of the picture than the nearest side of the guard band is.
     #[inline]
     pub(crate) fn project_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
         if Self::WIDE {

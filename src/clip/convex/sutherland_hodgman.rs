@@ -1,6 +1,6 @@
 //! Sutherland and Hodgman (1974): cuts a convex polygon by one plane after another.
 //!
-//! The near plane cuts in eye space, before anything is divided by z. The guard band then cuts on the screen, where a
+//! The near and the far plane cut in eye space, before anything is divided by z. The guard band then cuts on the screen, where a
 //! coordinate would leave the domain of its precision; that is much larger than a display, so few faces meet it, and
 //! depth is affine there. A cut rounds once, from the end inside to the end outside, so that two faces that share an
 //! edge get the same point. All planes share one loop: faces are seldom cut, and flash is scarce.
@@ -23,8 +23,8 @@ pub(crate) struct PolygonCorner<S: ScreenPrecision, A> {
     pub(crate) attributes: A,
 }
 
-/// The corners of a convex polygon. A face has three, the near plane adds one, and each side of the guard band one.
-pub(crate) type Polygon<S, A> = Vec<PolygonCorner<S, A>, 8>;
+/// The corners of a convex polygon. A face has three, the near and the far plane add one each, and each side of the guard band one.
+pub(crate) type Polygon<S, A> = Vec<PolygonCorner<S, A>, 9>;
 
 // Not re-exported: what varies over faces is sealed.
 /// Attributes of the corners of a polygon, such as texture coordinates, which the corners that a plane adds get as well.
@@ -56,6 +56,14 @@ impl Plane {
             limit: z,
             below: false,
             on_screen: false,
+        }
+    }
+
+    /// Keeps what is not behind the far plane.
+    pub(crate) const fn far(z: i32) -> Self {
+        Self {
+            below: true,
+            ..Self::near(z)
         }
     }
 

@@ -62,11 +62,11 @@ pub trait Look: 'static {
     /// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
     type Depth: DepthWidth;
 
-    /// Whether faces are cut at the near plane and at the guard band, so that a scene may be anywhere, also around the camera.
+    /// Whether faces are cut at the near plane, at the far plane and at the guard band, so that a scene may be anywhere, also around the camera.
     /// Flash: about 3 KB on a Cortex-M3 at opt-level "s".
     ///
-    /// Without, each vertex of the models must be on the screen: not in front of the near plane, and within the guard band,
-    /// which reaches from the viewport's centre on each side as far as the coordinates of the precision do on the nearest:
+    /// Without, each vertex of the models must be on the screen: not in front of the near plane nor behind the far one, and within the guard band,
+    /// which reaches from the picture's centre on each side as far as the coordinates of the precision do on the nearest:
     /// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`]. Otherwise
     /// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All
     /// pictures are those with cut faces.
