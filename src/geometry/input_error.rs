@@ -76,6 +76,7 @@ pub enum InputError {
     /// A position, after it was turned or moved, is more than 32,767 units from the origin: choose a coarser unit.
     PositionOutOfDomain,
     /// An affine map stretches by 128 or more, or flattens space, so that nothing undoes it: choose smaller factors, or coarser units.
+    /// Or the scale of a [`Camera`](crate::scene::Camera) is not above 0.
     ScaleOutOfDomain,
     /// A model that an affine map stretches reaches more than 262,143 units from the camera: choose a coarser unit.
     ModelOutOfDomain {

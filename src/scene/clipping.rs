@@ -6,7 +6,7 @@ use crate::{
     scene::{
         Look, Model,
         frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
-        off_screen::{eye_corner, is_outside, project_corner},
+        off_screen::{eye_corner, guard_band, is_outside, project_corner},
         preparation::{Preparation, begin, visible_rows},
     },
     shade::{Attributes, Shading},
@@ -71,9 +71,9 @@ impl<L: Look> Preparation<'_, L> {
             sutherland_hodgman(polygon, &Plane::far(self.projection.far), kept);
         }
         for corner in kept.iter_mut() {
-            project_corner(&self.projection, &mut corner.position);
+            project_corner::<L>(&self.projection, &mut corner.position);
         }
-        for side in &Plane::guard_band::<L::Precision>() {
+        for side in &guard_band::<L>() {
             core::mem::swap(&mut polygon, &mut kept);
             sutherland_hodgman(polygon, side, kept);
         }

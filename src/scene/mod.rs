@@ -41,6 +41,7 @@
 mod clipping;
 mod faces;
 mod frame;
+mod lens;
 mod look;
 mod memory;
 mod model;
@@ -57,7 +58,7 @@ pub use crate::{
     view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 pub use frame::Frame;
-pub use look::{Deep, Fine, Look, OnePass, Whole};
+pub use look::{Deep, Fine, Look, OnePass, Orthographic, Whole};
 pub use memory::Memory;
 pub use model::Model;
 pub use prepared::Prepared;

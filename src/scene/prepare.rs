@@ -7,14 +7,12 @@ use crate::{
     scene::{
         Frame, Look, Model, Prepared,
         frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
+        lens::{ProjectionOf, ScreenVertexOf, on_screen, projection},
         off_screen::{mark_behind_far_plane, off_screen},
         preparation::{Preparation, begin, visible_rows},
     },
     shade::{Planes, Shading},
-    view::{
-        AffineEyeTransform, Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex,
-        ToEye,
-    },
+    view::{AffineEyeTransform, Camera, EyePoint, EyeTransform, ScreenPrecision, ToEye},
 };
 
 /// The clipping boundary beyond which an off-screen vertex lies.
@@ -74,7 +72,7 @@ impl<L: Look> Frame<'_, L> {
 
         let mut preparation = Preparation {
             tables: self.tables.reborrow(),
-            projection: Projection::new(camera),
+            projection: projection::<L>(camera),
             viewport,
             vertices_needed: vertices,
         };
@@ -184,7 +182,7 @@ impl<L: Look> Preparation<'_, L> {
 }
 
 /// The corners of a face of a look.
-type Corners<'v, L> = [&'v ScreenVertex<<L as Look>::Precision, <L as Look>::Depth>; 3];
+type Corners<'v, L> = [&'v ScreenVertexOf<L>; 3];
 
 impl<L: Look> Tables<'_, L> {
     /// Puts the faces of a model of which none must be cut into their buckets. A loop of its own, because half of all
@@ -224,14 +222,17 @@ pub(super) fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera
 /// that is not is an error.
 #[inline]
 fn put_on_screen<L: Look>(
-    projection: &Projection<L::Precision, L::Depth>,
+    projection: &ProjectionOf<L>,
     transform: &impl ToEye,
     vertices: &[[i16; 3]],
-    slots: &mut [ScreenVertex<L::Precision, L::Depth>],
+    slots: &mut [ScreenVertexOf<L>],
 ) -> Result<bool, OutsideOf> {
     let all_inside = transform_model::<L>(projection, transform, vertices, slots)?;
     // Once more over the vertices, so that a frame without a far plane takes no time for it.
-    if projection.far < i32::MAX && mark_behind_far_plane(projection, transform, vertices, slots) {
+    if !L::IS_ORTHOGRAPHIC
+        && projection.far < i32::MAX
+        && mark_behind_far_plane::<L>(projection, transform, vertices, slots)
+    {
         return if L::CLIPS { Ok(false) } else { Err(OutsideOf::FarPlane) };
     }
     Ok(all_inside)
@@ -242,20 +243,20 @@ fn put_on_screen<L: Look>(
 // Not inlined: the loop needs every register.
 #[inline(never)]
 fn transform_model<L: Look>(
-    projection: &Projection<L::Precision, L::Depth>,
+    projection: &ProjectionOf<L>,
     transform: &impl ToEye,
     vertices: &[[i16; 3]],
-    slots: &mut [ScreenVertex<L::Precision, L::Depth>],
+    slots: &mut [ScreenVertexOf<L>],
 ) -> Result<bool, OutsideOf> {
     let mut all_inside = true;
     for (vertex, slot) in vertices.iter().zip(slots) {
         let eye = transform.apply(*vertex);
-        if let Some(vertex) = on_screen(projection, eye) {
+        if let Some(vertex) = on_screen::<L>(projection, eye) {
             *slot = vertex;
         } else if !L::CLIPS {
-            return Err(beyond(projection, eye));
+            return Err(beyond::<L>(projection, eye));
         } else {
-            *slot = off_screen(projection, transform, *vertex);
+            *slot = off_screen::<L>(projection, transform, *vertex);
             all_inside = false;
         }
     }
@@ -272,24 +273,14 @@ fn shade_vertices<H: Shading>(model: &Model<'_, H>, attributes: &mut [H::Attribu
 }
 
 /// The clipping boundary beyond which a vertex that is off the screen lies.
-fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> OutsideOf {
+fn beyond<L: Look>(projection: &ProjectionOf<L>, eye: EyePoint) -> OutsideOf {
     if eye.z < projection.near {
         OutsideOf::NearPlane
+    } else if L::IS_ORTHOGRAPHIC && eye.z > projection.far {
+        OutsideOf::FarPlane
     } else {
         OutsideOf::GuardBand
     }
-}
-
-/// Projects a vertex; `None` where it is off the screen.
-#[inline]
-fn on_screen<S: ScreenPrecision, D: DepthWidth>(
-    projection: &Projection<S, D>,
-    eye: EyePoint,
-) -> Option<ScreenVertex<S, D>> {
-    if eye.z < projection.near {
-        return None;
-    }
-    projection.project_inside(eye)
 }
 
 #[cfg(test)]

@@ -135,6 +135,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
 
 impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFaces<'_, 'm, L> {
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
 
     fn viewport(&self) -> &Window {
         &self.viewport

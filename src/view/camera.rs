@@ -1,9 +1,9 @@
-//! The perspective camera.
+//! The camera: in perspective, or with parallel rays.
 
 use core::num::{NonZeroU32, NonZeroU64};
 
 use embedded_graphics::primitives::Rectangle;
-use fixed::types::{I16F16, U0F16};
+use fixed::types::{I8F24, I16F16, U0F16};
 
 use crate::{
     geometry::{InputError, Sub8, Window, pixel_domain},
@@ -13,13 +13,14 @@ use crate::{
     },
 };
 
-/// A perspective camera that looks along its z axis, x to the right and y up.
+/// A camera that looks along its z axis, x to the right and y up: in perspective, or with parallel rays for a look that is
+/// [`Orthographic`](crate::scene::Orthographic).
 ///
 /// A point (x, y, z) of eye space is seen at the continuous position u = c + f x/z, v = d - f y/z of a viewport of
 /// W by H pixels, where pixel i covers i <= u < i + 1. Pixel centres are at integer coordinates, so the screen
 /// coordinates are u - 1/2 and v - 1/2 (and the viewport's top left corner added). The centre (c, d) is (W/2, H/2) until it is set:
 /// a symmetric scene gives a symmetric picture. The focal length f is W/2 pixels until it is set: a horizontal field of view of 90
-/// degrees.
+/// degrees. Without perspective u = c + s x and v = d - s y, for a scale s of one pixel a unit until it is set.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Camera {
     viewport: Window,
@@ -27,6 +28,7 @@ pub struct Camera {
     far: I16F16,
     focal_length: I16F16,
     centre: [I16F16; 2],
+    scale: I8F24,
     pose: Pose,
 }
 
@@ -58,6 +60,7 @@ impl Camera {
             far: I16F16::MAX,
             focal_length: I16F16::ONE,
             centre: [half(viewport.width()), half(viewport.height())],
+            scale: I8F24::ONE,
             pose: Pose::IDENTITY,
         }
         .with_focal_length(half(viewport.width()).max(LEAST_FOCAL_LENGTH))
@@ -88,6 +91,18 @@ impl Camera {
         let focal_length = (product + u64::from(sine.get() / 2)) / NonZeroU64::from(sine);
         let focal_length = i32::try_from(focal_length).map_err(|_| InputError::FocalLengthOutOfDomain)?;
         self.with_focal_length(I16F16::from_bits(focal_length))
+    }
+
+    /// The camera with another scale, in pixels for a unit, for looks that are [`Orthographic`](crate::scene::Orthographic); any other
+    /// look takes the focal length instead.
+    ///
+    /// # Errors
+    /// [`InputError::ScaleOutOfDomain`] for 0 and below.
+    pub fn with_scale(self, scale: I8F24) -> Result<Self, InputError> {
+        if scale <= I8F24::ZERO {
+            return Err(InputError::ScaleOutOfDomain);
+        }
+        Ok(Self { scale, ..self })
     }
 
     /// The camera with another point of the picture that it looks at: u to the right and v down from the viewport's top left corner, in
@@ -122,8 +137,9 @@ impl Camera {
     /// The camera with a far plane: what is farther away than `far` units is not drawn, and faces that cross the plane are cut there. A
     /// look without cut faces ([`Look::CLIPS`](crate::scene::Look::CLIPS)) has an error for a vertex behind it instead.
     ///
-    /// Without one there is no limit. Under a perspective lens it changes no stored depth: those reach to infinity. Cost: a third
-    /// transformation of each vertex.
+    /// Without one there is no limit. In perspective it changes no stored depth: those reach to infinity, and each vertex is
+    /// transformed once more for it. Without perspective depths reach from the near to the far plane, or 32,768 units where there is
+    /// none.
     ///
     /// # Errors
     /// [`InputError::FarTooClose`] where it is not behind the near plane.
@@ -193,6 +209,11 @@ impl Camera {
     /// Distance of the far plane; the greatest number where there is none.
     pub const fn far(&self) -> I16F16 {
         self.far
+    }
+
+    /// Pixels for a unit where rays are parallel.
+    pub const fn scale(&self) -> I8F24 {
+        self.scale
     }
 
     /// The point of the picture that the camera looks at, from the viewport's top left corner.

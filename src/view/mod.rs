@@ -9,6 +9,7 @@ mod camera;
 mod depth_width;
 mod eye_transform;
 mod orientation;
+mod parallel_projection;
 mod pose;
 mod precision;
 mod projection;

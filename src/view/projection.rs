@@ -78,13 +78,13 @@ pub(crate) struct Projection<S, D> {
     pub(crate) near: i32,
     /// Far plane in 1/4096 unit; beyond every coordinate where there is none.
     pub(crate) far: i32,
-    /// The near plane's distance as 16 bits and a shift.
+    /// The near plane's distance as 16 bits and a shift. Where rays are parallel, only the shift: that of the way to the far plane.
     near_mantissa: u32,
-    near_exponent: u32,
-    /// Focal length in units of the precision.
-    focal_length: i32,
-    center_x: i32,
-    center_y: i32,
+    pub(super) depth_exponent: u32,
+    /// Focal length in units of the precision. Where rays are parallel, pixels a unit with 24 fractional bits.
+    pub(super) scale: i32,
+    pub(super) center_x: i32,
+    pub(super) center_y: i32,
     /// The picture's centre plus half a unit, with `RATIO_BITS` fractional bits, for rounding in 32-bit arithmetic.
     rounded_center_x: i32,
     rounded_center_y: i32,
@@ -93,25 +93,43 @@ pub(crate) struct Projection<S, D> {
     formats: core::marker::PhantomData<(S, D)>,
 }
 
+/// The centre of the picture in units of a precision, minus the half pixel from u to x, rounded to the nearest: below 2^14 times 2^8.
+pub(super) fn center<S: ScreenPrecision>(camera: &Camera) -> [i32; 2] {
+    let half = 1 << (15 - S::FRACTION_BITS);
+    let units = |start: i32, from_start: I16F16| {
+        (start << S::FRACTION_BITS) + ((from_start.to_bits() - (1 << 15) + half) >> (16 - S::FRACTION_BITS))
+    };
+    let (viewport, [x, y]) = (camera.viewport(), camera.centre());
+    [units(viewport.left, x), units(viewport.top, y)]
+}
+
 impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
+    /// A projection whose numbers are all 0.
+    pub(super) const ZERO: Self = Self {
+        near: 0,
+        far: 0,
+        near_mantissa: 0,
+        depth_exponent: 0,
+        scale: 0,
+        center_x: 0,
+        center_y: 0,
+        rounded_center_x: 0,
+        rounded_center_y: 0,
+        greatest_ratio: 0,
+        formats: core::marker::PhantomData,
+    };
+
     /// Whether 16-bit reciprocals are too coarse: with 1/256 pixel or 24-bit depth.
     const WIDE: bool = S::FRACTION_BITS > 4 || D::FRACTION_BITS < 16;
     /// Fractional bits of x/z.
     const RATIO_BITS: u32 = if Self::WIDE { 24 } else { 15 };
 
     pub(crate) fn new(camera: &Camera) -> Self {
-        let viewport = camera.viewport();
-        // The centre, minus the half pixel from u to x, rounded to the nearest unit: below 2^14 times 2^8.
-        let half = 1 << (15 - S::FRACTION_BITS);
-        let center = |start: i32, from_start: I16F16| {
-            (start << S::FRACTION_BITS) + ((from_start.to_bits() - (1 << 15) + half) >> (16 - S::FRACTION_BITS))
-        };
-        let [centre_x, centre_y] = camera.centre();
         // The camera checked it: at least 8 units, which is 2^15 here.
         let near = camera.near().to_bits() >> 4;
-        let near_exponent = exponent(near);
+        let depth_exponent = exponent(near);
         let focal_length = camera.focal_length().to_bits() >> (16 - S::FRACTION_BITS);
-        let (center_x, center_y) = (center(viewport.left, centre_x), center(viewport.top, centre_y));
+        let [center_x, center_y] = center::<S>(camera);
         // One unit is left for rounding.
         let distance = |center: i32| (S::MAX_UNITS - center).min(center - S::MIN_UNITS).max(1) - 1;
         let distance = distance(center_x).min(distance(center_y)) as u64;
@@ -128,9 +146,9 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
                 camera.far().to_bits() >> 4
             },
             // Rounded down, so that it times a reciprocal stays below 2^32.
-            near_mantissa: near as u32 >> near_exponent,
-            near_exponent,
-            focal_length,
+            near_mantissa: near as u32 >> depth_exponent,
+            depth_exponent,
+            scale: focal_length,
             center_x,
             center_y,
             rounded_center_x: rounded(center_x),
@@ -177,8 +195,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
             return None;
         }
         // A product below 2^14 units, a centre below that, and 15 bits: below 2^30.
-        let x = self.rounded_center_x + ratio_x * self.focal_length;
-        let y = self.rounded_center_y - ratio_y * self.focal_length;
+        let x = self.rounded_center_x + ratio_x * self.scale;
+        let y = self.rounded_center_y - ratio_y * self.scale;
         Some(ScreenVertex {
             x: S::narrow(x >> Self::RATIO_BITS),
             y: S::narrow(y >> Self::RATIO_BITS),
@@ -219,7 +237,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         // The mantissa is not 0 for a vertex behind the near plane.
         let reciprocal = NonZeroU32::new(mantissa).map_or(0, |mantissa| reciprocal_16(mantissa, mantissa.get() >> 1));
         // No vertex is nearer than the near plane: its exponent is not smaller.
-        let near_over_z = (self.near_mantissa * reciprocal) >> (exponent - self.near_exponent);
+        let near_over_z = (self.near_mantissa * reciprocal) >> (exponent - self.depth_exponent);
         (
             multiply_high_16(eye.x, reciprocal) >> exponent,
             multiply_high_16(eye.y, reciprocal) >> exponent,
@@ -231,7 +249,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     fn screen_units(&self, ratio: i64) -> i64 {
         let half = 1 << (Self::RATIO_BITS - 1);
         // Below 2^15 in size with 24 more bits, times a focal length below 2^19.
-        (ratio * i64::from(self.focal_length) + half) >> Self::RATIO_BITS
+        (ratio * i64::from(self.scale) + half) >> Self::RATIO_BITS
     }
 }
 

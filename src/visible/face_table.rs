@@ -17,6 +17,8 @@ pub(crate) type ColoredFace<'t, S, D, H> = ([&'t ScreenVertex<S, D>; 3], WordOf<
 pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     /// Whether rows with more faces than slots are drawn in passes.
     const DRAWS_IN_PASSES: bool;
+    /// Whether what varies evenly in space does so on the screen: whether rays are parallel.
+    const IS_ORTHOGRAPHIC: bool;
     /// The pixels that the frame was prepared for.
     fn viewport(&self) -> &Window;
     /// How many more faces cross a row of the viewport than the row above it.

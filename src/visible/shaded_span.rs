@@ -65,7 +65,7 @@ where
     /// pixel of the row, and may lie outside it.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) -> Option<usize> {
-        if !H::Attributes::are_even(&face.attributes) {
+        if !F::IS_ORTHOGRAPHIC && !H::Attributes::are_even(&face.attributes) {
             return self.draw_divided_span(face, [start, end]);
         }
         let (column, end) = (start.max(0), end.min(self.row.words.len() as i32));
@@ -115,7 +115,7 @@ where
     #[inline(never)]
     pub(super) fn word_at(&self, face: &ActiveFace<S, H>, span: [i32; 2], column: i32) -> WordOf<H> {
         self.faces.skin(face.node).map_or(face.word, |skin| {
-            let run = if H::Attributes::are_even(&face.attributes) {
+            let run = if F::IS_ORTHOGRAPHIC || H::Attributes::are_even(&face.attributes) {
                 H::Attributes::even_run(&face.attributes, column, span[1], self.row.y)
             } else {
                 self.divided_run(face, span, column, None)

@@ -17,6 +17,7 @@ mod looks;
 mod number_range;
 mod numbered_scene;
 mod orientations;
+mod orthographic;
 mod passes;
 mod picture_items;
 mod projection;

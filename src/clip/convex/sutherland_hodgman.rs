@@ -44,8 +44,8 @@ pub(crate) struct Plane {
     limit: i32,
     /// Whether what is below the limit is kept.
     below: bool,
-    /// Whether it cuts on the screen, where depth varies evenly and not distance.
-    on_screen: bool,
+    /// Whether it cuts where depth varies evenly and not distance: on the screen, in perspective.
+    is_in_perspective: bool,
 }
 
 impl Plane {
@@ -55,7 +55,7 @@ impl Plane {
             axis: 2,
             limit: z,
             below: false,
-            on_screen: false,
+            is_in_perspective: false,
         }
     }
 
@@ -68,20 +68,20 @@ impl Plane {
     }
 
     /// The sides of the domain of `S` on the screen: left, right, top, bottom.
-    pub(crate) const fn guard_band<S: ScreenPrecision>() -> [Self; 4] {
-        const fn side(axis: u8, limit: i32, below: bool) -> Plane {
+    pub(crate) const fn guard_band<S: ScreenPrecision>(is_in_perspective: bool) -> [Self; 4] {
+        const fn side(axis: u8, limit: i32, below: bool, is_in_perspective: bool) -> Plane {
             Plane {
                 axis,
                 limit,
                 below,
-                on_screen: true,
+                is_in_perspective,
             }
         }
         [
-            side(0, S::MIN_UNITS, false),
-            side(0, S::MAX_UNITS, true),
-            side(1, S::MIN_UNITS, false),
-            side(1, S::MAX_UNITS, true),
+            side(0, S::MIN_UNITS, false, is_in_perspective),
+            side(0, S::MAX_UNITS, true, is_in_perspective),
+            side(1, S::MIN_UNITS, false, is_in_perspective),
+            side(1, S::MAX_UNITS, true, is_in_perspective),
         ]
     }
 
@@ -101,9 +101,9 @@ impl Plane {
         outside: &PolygonCorner<S, A>,
         [part, rest]: [u64; 2],
     ) -> A {
-        // On the screen, what varies evenly in space has the weight of its depth. Distances are below 2^35 and depths below 2^24.
+        // In perspective, what varies evenly in space has the weight of its depth on the screen. Distances are below 2^35 and depths below 2^24.
         let depth = |corner: &PolygonCorner<S, A>| {
-            if A::NEED_DEPTH && self.on_screen {
+            if A::NEED_DEPTH && self.is_in_perspective {
                 let [_, _, z]: [S::Wide; 3] = corner.position;
                 z.into() as u64
             } else {

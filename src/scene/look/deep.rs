@@ -17,4 +17,5 @@ impl<L: Look> Look for Deep<L> {
     type Depth = u32;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
 }

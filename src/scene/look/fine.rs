@@ -17,4 +17,5 @@ impl<L: Look> Look for Fine<L> {
     type Depth = L::Depth;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
 }

@@ -6,11 +6,13 @@
 mod deep;
 mod fine;
 mod one_pass;
+mod orthographic;
 mod whole;
 
 pub use deep::Deep;
 pub use fine::Fine;
 pub use one_pass::OnePass;
+pub use orthographic::Orthographic;
 pub use whole::Whole;
 
 use crate::{
@@ -25,7 +27,7 @@ use crate::{
 ///
 /// Every [`Shading`] is a look, and a colour is the plainest one, with a colour a face: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, faces are cut, rows are drawn in
 /// passes where they must. A wrapper changes one thing of another look, in any order: [`Fine`] (positions at 1/256 pixel), [`Deep`]
-/// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes). A look can also be a type of the
+/// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes), [`Orthographic`] (parallel rays). A look can also be a type of the
 /// program's own.
 ///
 /// ```
@@ -77,6 +79,9 @@ pub trait Look: 'static {
     ///
     /// Without, [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says how many slots would do.
     const DRAWS_IN_PASSES: bool = true;
+
+    /// Whether rays are parallel, so that things are as large wherever they are, and no vertex is divided by its distance.
+    const IS_ORTHOGRAPHIC: bool = false;
 }
 
 impl<H: Shading> Look for H {

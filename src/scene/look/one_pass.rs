@@ -17,4 +17,5 @@ impl<L: Look> Look for OnePass<L> {
     type Depth = L::Depth;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = false;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
 }

@@ -17,4 +17,5 @@ impl<L: Look> Look for Whole<L> {
     type Depth = L::Depth;
     const CLIPS: bool = false;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
 }

@@ -136,8 +136,9 @@ impl AffineCase {
         let model = Model::<L::Shading>::with_skin(mesh, (skin, map))?;
         let position = self.position.map(|coordinate| I16F16::from_bits(coordinate.0));
         let models = [model.with_pose(Pose::new(self.turn.get(), position))];
-        let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(24, 16)), I16F16::from_num(8))?;
-        let mut memory = Memory::<L, 100, 4, 24, 16, 4>::new();
+        let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(24, 16)), I16F16::from_num(8))?
+            .with_far(I16F16::from_num(20_000))?;
+        let mut memory = Memory::<L, 120, 4, 24, 16, 4>::new();
         let mut prepared = match memory.prepare(&camera, &models) {
             Ok(prepared) => prepared,
             Err(error) => {
@@ -176,6 +177,7 @@ impl Case for AffineCase {
             "{map:?}"
         );
         self.check_in::<Transformed<FlatLit<Gray8>>>(map)?;
+        self.check_in::<Orthographic<Transformed<FlatLit<Gray8>>>>(map)?;
         self.check_in::<Fine<Deep<Transformed<FlatLit<Gray8>>>>>(map)
     }
 }
@@ -188,11 +190,58 @@ pub struct CameraCase {
     near: Int,
     focal_length: Option<Int>,
     distances: [Int; 2],
+    centre: [Int; 2],
+    far: Int,
+    scale: Int,
     pose: Turn,
     position: [Int; 3],
 }
 
 impl CameraCase {
+    /// The camera with another centre, far plane and scale, as far as they are in their domains.
+    fn refined(&self, camera: Camera) -> Result<Camera, anyhow::Error> {
+        let centre = self.centre.map(|coordinate| I16F16::from_bits(coordinate.0));
+        let camera = match camera.with_centre(centre) {
+            Ok(camera) => camera,
+            Err(error) => {
+                let corner = [camera.viewport().left, camera.viewport().top];
+                let pixels = corner
+                    .into_iter()
+                    .zip(centre)
+                    .map(|(corner, centre)| corner + (centre.to_bits() >> 16));
+                let is_inside = pixels.into_iter().all(|pixel| (-8_191..=8_191).contains(&pixel));
+                ensure!(!is_inside, "{error} for {centre:?} of {camera:?}");
+                camera
+            }
+        };
+        let far = I16F16::from_bits(self.far.0);
+        let camera = match camera.with_far(far) {
+            Ok(camera) => camera,
+            Err(error) => {
+                ensure!(
+                    error == InputError::FarTooClose && far <= camera.near(),
+                    "{error} for {far}"
+                );
+                camera
+            }
+        };
+        match camera.with_scale(I8F24::from_bits(self.scale.0)) {
+            Ok(camera) => Ok(camera),
+            Err(error) => {
+                ensure!(self.scale.0 <= 0, "{error} for a scale of {}", self.scale.0);
+                Ok(camera)
+            }
+        }
+    }
+
+    /// Depths of parallel rays fall from the near to the far plane.
+    fn check_parallel<L: Look>(&self, camera: &Camera) -> Verdict {
+        let [one, other] = self.distances.map(|distance| I16F16::from_bits(distance.0));
+        let depths = [one.min(other), one.max(other)].map(|distance| Orthographic::<L>::depth_at(camera, distance));
+        ensure!(depths[0] >= depths[1] && depths[1] > L::Depth::FARTHEST, "{depths:?}");
+        Ok(())
+    }
+
     fn check_at<S: ScreenPrecision, D: DepthWidth>(&self, camera: &Camera) -> Verdict {
         let [one, other] = self.distances.map(|distance| I16F16::from_bits(distance.0));
         let (nearer, farther) = (one.min(other), one.max(other));
@@ -258,6 +307,9 @@ impl Case for CameraCase {
             camera.viewport() == Window::from(viewport),
             "{camera:?} of {viewport:?}"
         );
+        let camera = self.refined(camera)?;
+        self.check_parallel::<Gray8>(&camera)?;
+        self.check_parallel::<Fine<Deep<Gray8>>>(&camera)?;
         self.check_at::<Sub4, u16>(&camera)?;
         self.check_at::<Sub4, u32>(&camera)?;
         self.check_at::<Sub8, u16>(&camera)?;

@@ -9,8 +9,8 @@ use zrow::{
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{
-        Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Prepared, SceneItem, ScreenPrecision,
-        Whole,
+        Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Orthographic, Prepared, SceneItem,
+        ScreenPrecision, Whole,
     },
     shade::{FlatLit, Gouraud, LitTextured, Shading, Textured, Transformed},
 };
@@ -44,6 +44,10 @@ pub const EXERCISES: &[fn()] = &[
     look::<Transformed<Rgb565>>,
     look::<Whole<Fine<Transformed<LitTextured<Rgb565, 64, 64>>>>>,
     look::<Deep<Transformed<FlatLit<Gray4>>>>,
+    look::<Orthographic<Rgb565>>,
+    look::<Whole<Orthographic<Deep<Gouraud<Rgb565>>>>>,
+    look::<Orthographic<Fine<LitTextured<Rgb565, 64, 64>>>>,
+    orthographic_depths,
     model,
     scene_item::<LookOf<Rgb565, Sub4, u16, true>>,
     scene_item::<LookOf<Gray4, Sub8, u32, true>>,
@@ -80,6 +84,12 @@ fn look<L: Look>() {
     keep(Prepared::<L>::active_needed(any()));
     keep(Prepared::<L>::vertices_needed(any()));
     keep_all(Prepared::<L>::faces(any()));
+}
+
+#[inline(never)]
+fn orthographic_depths() {
+    keep(Orthographic::<Rgb565>::depth_at(any(), any()));
+    keep(Orthographic::<Fine<Deep<Rgb565>>>::depth_at(any(), any()));
 }
 
 /// A shading, whose faces are cut or not, at each precision and width of depths, in passes and not.

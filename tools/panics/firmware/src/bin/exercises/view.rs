@@ -35,12 +35,14 @@ fn camera() {
     keep(Camera::with_focal_length(any(), any()));
     keep(Camera::with_field_of_view(any(), any()));
     keep(Camera::look_at(any(), any(), any(), any()));
+    keep(Camera::with_scale(any(), any()));
     keep(Camera::with_centre(any(), any()));
     keep(Camera::with_far(any(), any()));
     keep(Camera::near_for::<Rgb565>(any(), any()));
     keep(Camera::near_for::<Transformed<Rgb565>>(any(), any()));
     keep(Camera::with_pose(any(), any()));
     keep(Camera::far(any()));
+    keep(Camera::scale(any()));
     keep(Camera::centre(any()));
     keep(Camera::pose(any()));
     keep(Camera::viewport(any()));
