@@ -6,6 +6,7 @@ use crate::{
     scene::{
         Look, Model,
         frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
+        lens::has_far_plane,
         off_screen::{eye_corner, guard_band, is_outside, project_corner},
         preparation::{Preparation, begin, visible_rows},
     },
@@ -66,7 +67,7 @@ impl<L: Look> Preparation<'_, L> {
         }
         let (mut polygon, mut kept) = (&mut polygon, &mut kept);
         sutherland_hodgman(polygon, &Plane::near(self.projection.near), kept);
-        if self.projection.far < i32::MAX {
+        if has_far_plane::<L>(&self.projection) {
             core::mem::swap(&mut polygon, &mut kept);
             sutherland_hodgman(polygon, &Plane::far(self.projection.far), kept);
         }

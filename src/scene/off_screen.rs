@@ -5,7 +5,7 @@ use crate::{
     clip::convex::Plane,
     scene::{
         Look,
-        lens::{ProjectionOf, ScreenVertexOf, project},
+        lens::{ProjectionOf, ScreenVertexOf, has_far_plane, project},
     },
     view::{DepthWidth, EyePoint, ScreenPrecision, ScreenVertex, ToEye, WideVertex},
 };
@@ -26,7 +26,7 @@ pub(super) fn off_screen<L: Look>(
     let beyond = |side: &Plane, corner: &Position<L>| i32::from(side.distance::<L::Precision>(corner) < 0);
     let mut sides = beyond(&Plane::near(projection.near), &corner);
     if sides == 0 {
-        let is_behind = beyond(&Plane::far(projection.far), &corner);
+        let is_behind = i32::from(has_far_plane::<L>(projection)) & beyond(&Plane::far(projection.far), &corner);
         project_corner::<L>(projection, &mut corner);
         for side in &guard_band::<L>() {
             sides = sides << 1 | beyond(side, &corner);

@@ -2,12 +2,14 @@
 
 use core::ops::Range;
 
+use fixed::types::I16F16;
+
 use crate::{
     geometry::{InputError, TooSmall, Window, pixel_domain},
     scene::{
         Frame, Look, Model, Prepared,
         frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
-        lens::{ProjectionOf, ScreenVertexOf, on_screen, projection},
+        lens::{ProjectionOf, ScreenVertexOf, has_far_plane, on_screen, projection},
         off_screen::{mark_behind_far_plane, off_screen},
         preparation::{Preparation, begin, visible_rows},
     },
@@ -42,8 +44,8 @@ impl<L: Look> Frame<'_, L> {
     /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport or
     /// the picture's centre is;
     /// [`InputError::ModelOutOfDomain`] where an affine map makes a model too large;
-    /// [`InputError::BeforeNearPlane`], [`InputError::BehindFarPlane`] and [`InputError::BeyondGuardBand`] where faces
-    /// are not cut.
+    /// [`InputError::BeforeNearPlane`], [`InputError::BehindFarPlane`], [`InputError::BeyondGuardBand`] and
+    /// [`InputError::FarPlaneUncut`] where faces are not cut.
     #[inline]
     pub fn prepare<'f, 'm>(
         &'f mut self,
@@ -69,6 +71,9 @@ impl<L: Look> Frame<'_, L> {
         check(self.tables.next.len().min(MOST_NODES), TooSmall::Faces(faces))?;
         check(self.depths.len(), TooSmall::Columns(viewport.width() as usize))?;
         check(self.tables.rows.len(), TooSmall::Rows(viewport.height() as usize))?;
+        if !L::CLIPS && !L::IS_ORTHOGRAPHIC && camera.far() < I16F16::MAX {
+            return Err(InputError::FarPlaneUncut);
+        }
 
         let mut preparation = Preparation {
             tables: self.tables.reborrow(),
@@ -219,7 +224,7 @@ pub(super) fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera
 }
 
 /// Transforms the vertices of a model. Returns whether all are on the screen and in front of the far plane; where no face is cut, one
-/// that is not is an error.
+/// that is not on the screen is an error.
 #[inline]
 fn put_on_screen<L: Look>(
     projection: &ProjectionOf<L>,
@@ -229,11 +234,9 @@ fn put_on_screen<L: Look>(
 ) -> Result<bool, OutsideOf> {
     let all_inside = transform_model::<L>(projection, transform, vertices, slots)?;
     // Once more over the vertices, so that a frame without a far plane takes no time for it.
-    if !L::IS_ORTHOGRAPHIC
-        && projection.far < i32::MAX
-        && mark_behind_far_plane::<L>(projection, transform, vertices, slots)
-    {
-        return if L::CLIPS { Ok(false) } else { Err(OutsideOf::FarPlane) };
+    if L::CLIPS && !L::IS_ORTHOGRAPHIC && has_far_plane::<L>(projection) {
+        let any = mark_behind_far_plane::<L>(projection, transform, vertices, slots);
+        return Ok(all_inside && !any);
     }
     Ok(all_inside)
 }

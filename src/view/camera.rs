@@ -135,7 +135,8 @@ impl Camera {
     }
 
     /// The camera with a far plane: what is farther away than `far` units is not drawn, and faces that cross the plane are cut there. A
-    /// look without cut faces ([`Look::CLIPS`](crate::scene::Look::CLIPS)) has an error for a vertex behind it instead.
+    /// look without cut faces ([`Look::CLIPS`](crate::scene::Look::CLIPS)) refuses a far plane, or, where its rays are parallel, a vertex
+    /// behind it.
     ///
     /// Without one there is no limit. In perspective it changes no stored depth: those reach to infinity, and each vertex is
     /// transformed once more for it. Without perspective depths reach from the near to the far plane, or 32,768 units where there is

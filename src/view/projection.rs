@@ -76,7 +76,7 @@ pub(crate) struct WideVertex {
 pub(crate) struct Projection<S, D> {
     /// Near plane in 1/4096 unit.
     pub(crate) near: i32,
-    /// Far plane in 1/4096 unit; beyond every coordinate where there is none.
+    /// Far plane in 1/4096 unit; [`NO_FAR`](Self::NO_FAR) where there is none, though coordinates are greater.
     pub(crate) far: i32,
     /// The near plane's distance as 16 bits and a shift. Where rays are parallel, only the shift: that of the way to the far plane.
     near_mantissa: u32,
@@ -104,6 +104,9 @@ pub(super) fn center<S: ScreenPrecision>(camera: &Camera) -> [i32; 2] {
 }
 
 impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
+    /// The far plane of a camera that has none.
+    pub(crate) const NO_FAR: i32 = i32::MAX >> 4;
+
     /// A projection whose numbers are all 0.
     pub(super) const ZERO: Self = Self {
         near: 0,
@@ -140,11 +143,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         let rounded = |center: i32| center << Self::RATIO_BITS | 1 << (Self::RATIO_BITS - 1);
         Self {
             near,
-            far: if camera.far() == I16F16::MAX {
-                i32::MAX
-            } else {
-                camera.far().to_bits() >> 4
-            },
+            far: camera.far().to_bits() >> 4,
             // Rounded down, so that it times a reciprocal stays below 2^32.
             near_mantissa: near as u32 >> depth_exponent,
             depth_exponent,

@@ -169,7 +169,8 @@ fn a_wall_that_begins_at_the_near_plane() {
     }
 }
 
-/// A corner on the far plane, and 1/4096 unit in front of it and behind it: only the last one is cut, or an error where none is.
+/// A corner on the far plane, and 1/4096 unit in front of it and behind it: only the last one is cut. Where no
+/// face is cut, the plane is an error.
 #[test]
 fn the_far_plane_cuts_to_the_unit() {
     fn check<S: ScreenPrecision, D: DepthWidth>() {
@@ -188,7 +189,7 @@ fn the_far_plane_cuts_to_the_unit() {
             assert_eq!(prepared.vertices_needed() > 3, is_cut, "{behind}");
             assert!(prepared.faces().count() > 0);
             let mut whole = Memory::<Whole<LookOf<Rgb888, S, D>>, 3, 1, 128, 40, 1>::new();
-            let error = is_cut.then_some(InputError::BehindFarPlane { model: 0 });
+            let error = Some(InputError::FarPlaneUncut);
             assert_eq!(whole.prepare(&camera, &models).err(), error, "{behind}");
         }
     }

@@ -67,11 +67,11 @@ pub trait Look: 'static {
     /// Whether faces are cut at the near plane, at the far plane and at the guard band, so that a scene may be anywhere, also around the camera.
     /// Flash: about 3 KB on a Cortex-M3 at opt-level "s".
     ///
-    /// Without, each vertex of the models must be on the screen: not in front of the near plane nor behind the far one, and within the guard band,
+    /// Without, each vertex of the models must be on the screen: not in front of the near plane, and within the guard band,
     /// which reaches from the picture's centre on each side as far as the coordinates of the precision do on the nearest:
     /// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`]. Otherwise
     /// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All
-    /// pictures are those with cut faces.
+    /// pictures are those with cut faces. A camera with a far plane is refused, unless rays are parallel.
     const CLIPS: bool = true;
 
     /// Whether a row that more faces cross than the memory has slots for (`ACTIVE`) is drawn in as many passes as it takes: the
