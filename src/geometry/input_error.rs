@@ -64,6 +64,8 @@ pub enum InputError {
     },
     /// The near plane of a [`Camera`](crate::scene::Camera) must be at least 8 units of the vertices away: choose a finer unit.
     NearTooClose,
+    /// The far plane of a [`Camera`](crate::scene::Camera) must be behind its near plane.
+    FarTooClose,
     /// The viewport of a camera must have pixels, and lie within -8191 to 8191 pixels, the domain of
     /// [`Sub8`](crate::geometry::Sub8).
     ViewportOutOfDomain,
@@ -73,9 +75,26 @@ pub enum InputError {
     NoDirection,
     /// A position, after it was turned or moved, is more than 32,767 units from the origin: choose a coarser unit.
     PositionOutOfDomain,
+    /// An affine map stretches by 128 or more, or flattens space, so that nothing undoes it: choose smaller factors, or coarser units.
+    /// Or the scale of a [`Camera`](crate::scene::Camera) is not above 0.
+    ScaleOutOfDomain,
+    /// A model that an affine map stretches reaches more than 262,143 units from the camera: choose a coarser unit.
+    ModelOutOfDomain {
+        /// The index of the model among the models.
+        model: usize,
+    },
     /// A vertex is in front of the near plane, and the frame's look does not cut faces
     /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)). The storage can be prepared again.
     BeforeNearPlane {
+        /// The index of the vertex's model among the models.
+        model: usize,
+    },
+    /// The camera has a far plane, and the frame's look, which is in perspective, does not cut faces
+    /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)): take a camera without one. The storage can be prepared again.
+    FarPlaneUncut,
+    /// A vertex is behind the far plane, and the frame's look, whose rays are parallel, does not cut faces
+    /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)). The storage can be prepared again.
+    BehindFarPlane {
         /// The index of the vertex's model among the models.
         model: usize,
     },
@@ -134,6 +153,7 @@ impl Display for InputError {
                 write!(formatter, "face {face} names vertex {vertex}, which is not there")
             }
             Self::NearTooClose => formatter.write_str("the near plane must be at least 8 units away"),
+            Self::FarTooClose => formatter.write_str("the far plane must be behind the near plane"),
             Self::ViewportOutOfDomain => {
                 formatter.write_str("the viewport is empty or reaches beyond the coordinates of the precision")
             }
@@ -144,7 +164,17 @@ impl Display for InputError {
             Self::PositionOutOfDomain => {
                 formatter.write_str("a position more than 32,767 units from the origin: choose a coarser unit")
             }
+            Self::ScaleOutOfDomain => formatter
+                .write_str("an affine map stretches by 128 or more, or flattens space so that nothing undoes it"),
+            Self::ModelOutOfDomain { model } => {
+                write!(
+                    formatter,
+                    "model {model} reaches more than 262,143 units from the camera: choose a coarser unit"
+                )
+            }
             Self::BeforeNearPlane { model } => write_off_screen(formatter, *model, "in front of the near plane"),
+            Self::FarPlaneUncut => formatter.write_str("a far plane where no face is cut: take a camera without one"),
+            Self::BehindFarPlane { model } => write_off_screen(formatter, *model, "behind the far plane"),
             Self::BeyondGuardBand { model } => write_off_screen(formatter, *model, "too far beside the viewport"),
         }
     }

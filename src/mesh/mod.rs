@@ -4,4 +4,4 @@ mod face_set;
 mod octahedral_normal;
 
 pub use face_set::FaceSet;
-pub(crate) use octahedral_normal::unit_normal;
+pub(crate) use octahedral_normal::{normal, unit_normal};

@@ -16,16 +16,23 @@
 /// The direction of a normal that is stored in two bytes, as a vector of length 1 in 2.14: within 4 units of 1/16,384 of the exact
 /// direction of the two bytes. Cost: 9 multiplications and no division.
 #[inline]
-pub(crate) fn unit_normal([a, b]: [i8; 2]) -> [i32; 3] {
-    let (a, b) = (i32::from(a), i32::from(b));
-    let z = 127 - a.abs() - b.abs();
-    let (x, y) = if z < 0 { (folded(a, b), folded(b, a)) } else { (a, b) };
+pub(crate) fn unit_normal(bytes: [i8; 2]) -> [i32; 3] {
+    let [x, y, z] = normal(bytes);
     // 127^2 / 3 to 127^2 + 128^2 * 2, for bytes of -128, too.
     let square = x * x + y * y + z * z;
     let scale = reciprocal_square_root(square);
     // In units of 1/128: the square root of 2^14.
     let scaled = |coordinate: i32| (coordinate * scale + 64) >> 7;
     [scaled(x), scaled(y), scaled(z)]
+}
+
+/// A normal that is stored in two bytes, as a vector of whole numbers of any length: its direction is exact.
+#[inline]
+pub(crate) fn normal([a, b]: [i8; 2]) -> [i32; 3] {
+    let (a, b) = (i32::from(a), i32::from(b));
+    let z = 127 - a.abs() - b.abs();
+    let (x, y) = if z < 0 { (folded(a, b), folded(b, a)) } else { (a, b) };
+    [x, y, z]
 }
 
 /// A coordinate on the other side of the octahedron.

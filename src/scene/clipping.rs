@@ -1,4 +1,4 @@
-//! Cuts the faces that the near plane and the guard band cross. Linked only for frames whose look
+//! Cuts the faces that the near plane, the far plane and the guard band cross. Linked only for frames whose look
 //! [clips](crate::scene::Look::CLIPS).
 
 use crate::{
@@ -6,11 +6,12 @@ use crate::{
     scene::{
         Look, Model,
         frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
-        off_screen::{eye_corner, is_outside, project_corner},
+        lens::has_far_plane,
+        off_screen::{eye_corner, guard_band, is_outside, project_corner},
         preparation::{Preparation, begin, visible_rows},
     },
-    shade::Attributes,
-    view::{Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
+    shade::{Attributes, Shading},
+    view::{AffineEyeTransform, Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
 };
 
 /// A polygon of a look that is cut.
@@ -26,7 +27,9 @@ impl<L: Look> Preparation<'_, L> {
         first_vertex: usize,
         first_face: usize,
     ) {
-        for (index, face) in model.mesh().faces().iter().enumerate().rev() {
+        let is_mirrored = model.is_mirrored();
+        for (index, &[a, b, c]) in model.mesh().faces().iter().enumerate().rev() {
+            let face = &if is_mirrored { [a, c, b] } else { [a, b, c] };
             let node = first_face + index;
             let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
                 continue;
@@ -53,23 +56,25 @@ impl<L: Look> Preparation<'_, L> {
         face: &[u16; 3],
         (first_vertex, order): (usize, u16),
     ) {
-        let transform = EyeTransform::new(&model.pose, camera.pose());
         let (mut polygon, mut kept) = (PolygonOf::<L>::new(), PolygonOf::<L>::new());
-        for index in face {
-            let vertex = model.mesh().vertices().get(usize::from(*index));
+        for (index, position) in face.iter().zip(eye_corners::<L>(camera, model, face)) {
             let attributes = self.tables.attributes.get(first_vertex + usize::from(*index));
             let pushed = polygon.push(PolygonCorner {
-                position: eye_corner::<L::Precision>(&transform, vertex.copied().unwrap_or_default()),
+                position,
                 attributes: attributes.copied().unwrap_or(AttributesOf::<L>::ZERO),
             });
-            debug_assert!(pushed.is_ok(), "three corners of eight");
+            debug_assert!(pushed.is_ok(), "three corners of nine");
         }
         let (mut polygon, mut kept) = (&mut polygon, &mut kept);
         sutherland_hodgman(polygon, &Plane::near(self.projection.near), kept);
-        for corner in kept.iter_mut() {
-            project_corner(&self.projection, &mut corner.position);
+        if has_far_plane::<L>(&self.projection) {
+            core::mem::swap(&mut polygon, &mut kept);
+            sutherland_hodgman(polygon, &Plane::far(self.projection.far), kept);
         }
-        for side in &Plane::guard_band::<L::Precision>() {
+        for corner in kept.iter_mut() {
+            project_corner::<L>(&self.projection, &mut corner.position);
+        }
+        for side in &guard_band::<L>() {
             core::mem::swap(&mut polygon, &mut kept);
             sutherland_hodgman(polygon, side, kept);
         }
@@ -112,6 +117,26 @@ impl<L: Look> Preparation<'_, L> {
         if let Some(attributes) = self.tables.attributes.get_mut(first..self.vertices_needed) {
             attributes.copy_from_slice(&corners);
         }
+    }
+}
+
+/// The corners of a face in eye space.
+fn eye_corners<L: Look>(
+    camera: &Camera,
+    model: &Model<'_, L::Shading>,
+    face: &[u16; 3],
+) -> [[<L::Precision as ScreenPrecision>::Wide; 3]; 3] {
+    let vertex = |index: u16| model.mesh().vertices().get(usize::from(index));
+    let vertices = face.map(|index| vertex(index).copied().unwrap_or_default());
+    if L::Shading::HAS_AFFINE_MAP {
+        let affine = L::Shading::affine(model.skin());
+        // It was there when the vertices were transformed.
+        AffineEyeTransform::new(affine, &model.pose, camera.pose()).map_or_else(Default::default, |transform| {
+            vertices.map(|vertex| eye_corner::<L::Precision>(&transform, vertex))
+        })
+    } else {
+        let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
+        vertices.map(|vertex| eye_corner::<L::Precision>(&transform, vertex))
     }
 }
 

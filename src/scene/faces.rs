@@ -30,7 +30,7 @@ pub struct ScreenFace<S: ScreenPrecision, D> {
     /// Index of the face in the order of models and faces: of two fragments with the same depth, the lower one is
     /// drawn.
     pub order: usize,
-    /// Corners in the order of the mesh.
+    /// Corners in the order of the mesh; the second and the third exchanged where a map mirrors the model.
     pub corners: [Corner<S, D>; 3],
 }
 
@@ -68,7 +68,8 @@ fn whole<'t, 'm, L: Look>(
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
-        let corners = corners(vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
+        let face = model.outward(*model.mesh().faces().get(face)?);
+        let corners = corners(vertices.get(first_vertex..)?, &face)?;
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }

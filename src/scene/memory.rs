@@ -19,7 +19,7 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 ///
 /// - `L`: what pictures are made of; a colour, such as `Rgb565`, another [`Shading`](crate::shade::Shading), or a wrapped [`Look`].
 /// - `VERTICES`: vertices of all models ([`FaceSet::vertices_of`](crate::scene::FaceSet::vertices_of)), and where faces are cut
-///   ([`Look::CLIPS`]) 4 for each fragment of a face that the near plane or the guard band cuts (a cut face has 1 to 6
+///   ([`Look::CLIPS`]) 4 for each fragment of a face that the near plane, the far plane or the guard band cuts (a cut face has 1 to 7
 ///   fragments; [`Prepared::vertices_needed`] says how many it took). At most 32,767.
 /// - `FACES`: faces of all models ([`FaceSet::faces_of`](crate::scene::FaceSet::faces_of)). At most 32,767.
 /// - `WIDTH` and `HEIGHT`: columns and rows of the viewport.

@@ -42,9 +42,11 @@ mod clipping;
 mod counters;
 mod faces;
 mod frame;
+mod lens;
 mod look;
 mod memory;
 mod model;
+mod near_plane;
 mod off_screen;
 mod preparation;
 mod prepare;
@@ -54,11 +56,11 @@ mod scene_item;
 
 pub use crate::{
     mesh::FaceSet,
-    view::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 pub use counters::Counters;
 pub use frame::Frame;
-pub use look::{Counted, Deep, Fine, Look, OnePass, Unhurried, Whole};
+pub use look::{Counted, Deep, Fine, Look, OnePass, Orthographic, Unhurried, Whole};
 pub use memory::Memory;
 pub use model::Model;
 pub use prepared::Prepared;

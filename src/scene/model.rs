@@ -6,7 +6,8 @@ use crate::{geometry::TooSmall, mesh::FaceSet, shade::Shading, surface::BandColo
 
 /// A face set, what its [`Shading`] takes, such as a colour for each face, and where it is.
 ///
-/// `H` is the [`Shading`] of the scene's look; a colour, such as `Rgb565`, where each face has one.
+/// `H` is the [`Shading`] of the scene's look; a colour, such as `Rgb565`, where each face has one. A model is turned and moved by its
+/// pose; one that is stretched or mirrored as well has a [`Transformed`](crate::shade::Transformed) shading.
 pub struct Model<'a, H: Shading> {
     mesh: FaceSet<'a>,
     skin: H::Skin<'a>,
@@ -66,6 +67,32 @@ impl<'a, H: Shading> Model<'a, H> {
     pub const fn skin(&self) -> &H::Skin<'a> {
         &self.skin
     }
+}
+
+impl<H: Shading> Model<'_, H> {
+    /// A face in the order in which its corners run clockwise when it is seen from its outside: that of the mesh, or of one that a map
+    /// mirrors the other way round.
+    #[inline]
+    pub(super) fn outward(&self, face: [u16; 3]) -> [u16; 3] {
+        outward::<H>(&self.skin, face)
+    }
+
+    /// Whether a map mirrors the model.
+    #[inline]
+    pub(super) fn is_mirrored(&self) -> bool {
+        is_mirrored::<H>(&self.skin)
+    }
+}
+
+#[inline]
+fn is_mirrored<H: Shading>(skin: &H::Skin<'_>) -> bool {
+    H::HAS_AFFINE_MAP && H::affine(skin).is_mirrored()
+}
+
+/// A face of a model with this skin, in the order in which its corners run clockwise when it is seen from its outside.
+#[inline]
+pub(super) fn outward<H: Shading>(skin: &H::Skin<'_>, [a, b, c]: [u16; 3]) -> [u16; 3] {
+    if is_mirrored::<H>(skin) { [a, c, b] } else { [a, b, c] }
 }
 
 impl<H: Shading> fmt::Debug for Model<'_, H> {

@@ -5,15 +5,16 @@ use crate::{
     scene::{
         Look,
         frame::{RowStart, Tables},
+        lens::ProjectionOf,
     },
-    view::{DepthWidth, Position, Projection, ScreenPrecision, ScreenVertex},
+    view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
     visible::NONE,
 };
 
 /// The tables of a frame that are being filled, and the projection and viewport of its camera.
 pub(super) struct Preparation<'f, L: Look> {
     pub(super) tables: Tables<'f, L>,
-    pub(super) projection: Projection<L::Precision, L::Depth>,
+    pub(super) projection: ProjectionOf<L>,
     pub(super) viewport: Window,
     /// Vertices of the models and of the fragments so far, whether there was room or not.
     pub(super) vertices_needed: usize,

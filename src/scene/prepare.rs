@@ -2,23 +2,26 @@
 
 use core::ops::Range;
 
+use fixed::types::I16F16;
+
 use crate::{
     geometry::{InputError, TooSmall, Window, pixel_domain},
-    mesh::FaceSet,
     scene::{
         Frame, Look, Model, Prepared,
         frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
-        off_screen::off_screen,
+        lens::{ProjectionOf, ScreenVertexOf, has_far_plane, on_screen, projection},
+        off_screen::{mark_behind_far_plane, off_screen},
         preparation::{Preparation, begin, visible_rows},
     },
     shade::{Planes, Shading},
-    view::{Camera, DepthWidth, EyePoint, EyeTransform, Projection, ScreenPrecision, ScreenVertex},
+    view::{AffineEyeTransform, Camera, EyePoint, EyeTransform, ScreenPrecision, ToEye},
 };
 
 /// The clipping boundary beyond which an off-screen vertex lies.
 #[derive(Debug, Copy, Clone)]
 enum OutsideOf {
     NearPlane,
+    FarPlane,
     GuardBand,
 }
 
@@ -26,6 +29,7 @@ impl OutsideOf {
     const fn error(self, model: usize) -> InputError {
         match self {
             Self::NearPlane => InputError::BeforeNearPlane { model },
+            Self::FarPlane => InputError::BehindFarPlane { model },
             Self::GuardBand => InputError::BeyondGuardBand { model },
         }
     }
@@ -33,13 +37,15 @@ impl OutsideOf {
 
 impl<L: Look> Frame<'_, L> {
     /// Prepares a frame: each vertex is transformed once; faces that are seen from behind or cover no pixel of the
-    /// viewport are left out; faces that cross the near plane or leave the guard band are cut, unless the
+    /// viewport are left out; faces that cross the near or the far plane or leave the guard band are cut, unless the
     /// look does without ([`Look::CLIPS`]).
     ///
     /// # Errors
-    /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport is;
-    /// [`InputError::BeforeNearPlane`] and [`InputError::BeyondGuardBand`] where faces
-    /// are not cut.
+    /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport or
+    /// the picture's centre is;
+    /// [`InputError::ModelOutOfDomain`] where an affine map makes a model too large;
+    /// [`InputError::BeforeNearPlane`], [`InputError::BehindFarPlane`], [`InputError::BeyondGuardBand`] and
+    /// [`InputError::FarPlaneUncut`] where faces are not cut.
     #[inline]
     pub fn prepare<'f, 'm>(
         &'f mut self,
@@ -57,7 +63,7 @@ impl<L: Look> Frame<'_, L> {
         models: &[Model<'_, L::Shading>],
     ) -> Result<Range<usize>, InputError> {
         let viewport = camera.viewport();
-        check_viewport::<L::Precision>(&viewport)?;
+        check_viewport::<L::Precision>(camera)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
         let faces = total(models.iter().map(|model| model.mesh().faces().len()));
         let most_vertices = self.tables.vertices.len().min(MOST_NODES);
@@ -65,10 +71,13 @@ impl<L: Look> Frame<'_, L> {
         check(self.tables.next.len().min(MOST_NODES), TooSmall::Faces(faces))?;
         check(self.depths.len(), TooSmall::Columns(viewport.width() as usize))?;
         check(self.tables.rows.len(), TooSmall::Rows(viewport.height() as usize))?;
+        if !L::CLIPS && !L::IS_ORTHOGRAPHIC && camera.far() < I16F16::MAX {
+            return Err(InputError::FarPlaneUncut);
+        }
 
         let mut preparation = Preparation {
             tables: self.tables.reborrow(),
-            projection: Projection::new(camera),
+            projection: projection::<L>(camera),
             viewport,
             vertices_needed: vertices,
         };
@@ -91,9 +100,11 @@ impl<L: Look> Frame<'_, L> {
     }
 }
 
-fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), InputError> {
+fn check_viewport<S: ScreenPrecision>(camera: &Camera) -> Result<(), InputError> {
     let (min, max) = pixel_domain::<S>();
-    let inside = min <= viewport.left.min(viewport.top) && viewport.right.max(viewport.bottom) <= max;
+    let (viewport, [x, y]) = (camera.viewport(), camera.centre_pixel());
+    let inside = min <= viewport.left.min(viewport.top).min(x.min(y))
+        && viewport.right.max(viewport.bottom).max(x.max(y)) <= max;
     if inside {
         Ok(())
     } else {
@@ -124,14 +135,19 @@ impl<L: Look> Preparation<'_, L> {
         let mut attributes = &mut *tables.attributes;
         let mut all_inside = true;
         for (index, model) in models.iter().enumerate() {
-            let transform = EyeTransform::new(&model.pose, camera.pose());
             let vertices = model.mesh().vertices();
             // The capacity was checked: there is room for all vertices.
             let Some((slots_of_model, rest)) = slots.split_at_mut_checked(vertices.len()) else {
                 break;
             };
-            all_inside &= transform_model::<L>(projection, &transform, vertices, slots_of_model)
-                .map_err(|beyond| beyond.error(index))?;
+            let transformed = if L::Shading::HAS_AFFINE_MAP {
+                let transform = affine_transform(model, camera).ok_or(InputError::ModelOutOfDomain { model: index })?;
+                put_on_screen::<L>(projection, &transform, vertices, slots_of_model)
+            } else {
+                let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
+                put_on_screen::<L>(projection, &transform, vertices, slots_of_model)
+            };
+            all_inside &= transformed.map_err(|beyond| beyond.error(index))?;
             slots = rest;
             if AttributesOf::<L>::VARY {
                 let Some((attributes_of_model, rest)) = attributes.split_at_mut_checked(vertices.len()) else {
@@ -164,26 +180,65 @@ impl<L: Look> Preparation<'_, L> {
                 self.sort_faces_to_cut(camera, model, first_vertex, first_face);
             } else {
                 self.tables
-                    .sort_whole_faces(mesh, first_vertex, first_face, &self.viewport);
+                    .sort_whole_faces(model, first_vertex, first_face, &self.viewport);
             }
         }
     }
 }
 
+/// The corners of a face of a look.
+type Corners<'v, L> = [&'v ScreenVertexOf<L>; 3];
+
 impl<L: Look> Tables<'_, L> {
     /// Puts the faces of a model of which none must be cut into their buckets. A loop of its own, because half of all
     /// faces end in it.
     #[inline(never)]
-    fn sort_whole_faces(&mut self, mesh: &FaceSet<'_>, first_vertex: usize, first_face: usize, viewport: &Window) {
+    fn sort_whole_faces(
+        &mut self,
+        model: &Model<'_, L::Shading>,
+        first_vertex: usize,
+        first_face: usize,
+        viewport: &Window,
+    ) {
+        let mesh = model.mesh();
+        let is_mirrored = model.is_mirrored();
         let last_vertex = first_vertex + mesh.vertices().len();
         let vertices = self.vertices.get(first_vertex..last_vertex).unwrap_or_default();
         let next = self.next.get_mut(first_face..).unwrap_or_default();
         for (index, (face, next)) in mesh.faces().iter().zip(next).enumerate().rev() {
-            if let Some(rows) = corners(vertices, face).and_then(|corners| visible_rows(corners, viewport)) {
+            let visible = |[a, b, c]: Corners<'_, L>| {
+                let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
+                visible_rows(corners, viewport)
+            };
+            if let Some(rows) = corners(vertices, face).and_then(visible) {
                 *next = begin(self.rows, (first_face + index) as u16, rows);
             }
         }
     }
+}
+
+/// The transformation of a model by an affine map, if its vertices fit.
+pub(super) fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera) -> Option<AffineEyeTransform> {
+    AffineEyeTransform::new(H::affine(model.skin()), &model.pose, camera.pose())
+        .filter(|transform| transform.fits(model.mesh().vertices()))
+}
+
+/// Transforms the vertices of a model. Returns whether all are on the screen and in front of the far plane; where no face is cut, one
+/// that is not on the screen is an error.
+#[inline]
+fn put_on_screen<L: Look>(
+    projection: &ProjectionOf<L>,
+    transform: &impl ToEye,
+    vertices: &[[i16; 3]],
+    slots: &mut [ScreenVertexOf<L>],
+) -> Result<bool, OutsideOf> {
+    let all_inside = transform_model::<L>(projection, transform, vertices, slots)?;
+    // Once more over the vertices, so that a frame without a far plane takes no time for it.
+    if L::CLIPS && !L::IS_ORTHOGRAPHIC && has_far_plane::<L>(projection) {
+        let any = mark_behind_far_plane::<L>(projection, transform, vertices, slots);
+        return Ok(all_inside && !any);
+    }
+    Ok(all_inside)
 }
 
 /// Transforms the vertices of a model. Returns whether all are on the screen; where no face is cut, one that is not is
@@ -191,20 +246,20 @@ impl<L: Look> Tables<'_, L> {
 // Not inlined: the loop needs every register.
 #[inline(never)]
 fn transform_model<L: Look>(
-    projection: &Projection<L::Precision, L::Depth>,
-    transform: &EyeTransform<L::Precision>,
+    projection: &ProjectionOf<L>,
+    transform: &impl ToEye,
     vertices: &[[i16; 3]],
-    slots: &mut [ScreenVertex<L::Precision, L::Depth>],
+    slots: &mut [ScreenVertexOf<L>],
 ) -> Result<bool, OutsideOf> {
     let mut all_inside = true;
     for (vertex, slot) in vertices.iter().zip(slots) {
         let eye = transform.apply(*vertex);
-        if let Some(vertex) = on_screen(projection, eye) {
+        if let Some(vertex) = on_screen::<L>(projection, eye) {
             *slot = vertex;
         } else if !L::CLIPS {
-            return Err(beyond(projection, eye));
+            return Err(beyond::<L>(projection, eye));
         } else {
-            *slot = off_screen(projection, transform, *vertex);
+            *slot = off_screen::<L>(projection, transform, *vertex);
             all_inside = false;
         }
     }
@@ -217,29 +272,19 @@ fn shade_vertices<H: Shading>(model: &Model<'_, H>, camera: &Camera, attributes:
     let uniforms = H::uniforms(model.skin(), &model.pose, camera);
     let vertices = model.mesh().vertices().iter().enumerate();
     for (attributes, (vertex, position)) in attributes.iter_mut().zip(vertices) {
-        *attributes = H::vertex(model.skin(), &uniforms, vertex, *position);
+        *attributes = H::vertex(model.skin(), &uniforms, vertex, position.map(i32::from));
     }
 }
 
 /// The clipping boundary beyond which a vertex that is off the screen lies.
-fn beyond<S: ScreenPrecision, D: DepthWidth>(projection: &Projection<S, D>, eye: EyePoint) -> OutsideOf {
+fn beyond<L: Look>(projection: &ProjectionOf<L>, eye: EyePoint) -> OutsideOf {
     if eye.z < projection.near {
         OutsideOf::NearPlane
+    } else if L::IS_ORTHOGRAPHIC && eye.z > projection.far {
+        OutsideOf::FarPlane
     } else {
         OutsideOf::GuardBand
     }
-}
-
-/// Projects a vertex; `None` where it is off the screen.
-#[inline]
-fn on_screen<S: ScreenPrecision, D: DepthWidth>(
-    projection: &Projection<S, D>,
-    eye: EyePoint,
-) -> Option<ScreenVertex<S, D>> {
-    if eye.z < projection.near {
-        return None;
-    }
-    projection.project_inside(eye)
 }
 
 #[cfg(test)]

@@ -95,8 +95,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// the viewer or not, then the visible fragments of those that were cut, in the same order.
     ///
     /// A face has an `order`, its index in the order of models and faces (of two fragments with the same depth, the
-    /// lower one is drawn), and three `corners` in the order of the mesh, each with the `point` that it was snapped to
-    /// and its `depth` as stored: nearer is larger.
+    /// lower one is drawn), and three `corners` in the order of the mesh (the second and the third exchanged where a map
+    /// mirrors the model), each with the `point` that it was snapped to and its `depth` as stored: nearer is larger.
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
         faces::all::<L>(self.faces.vertices, self.faces.models, self.fragments.clone())
     }

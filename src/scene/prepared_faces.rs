@@ -11,6 +11,7 @@ use crate::{
         counters::Counting,
         faces,
         frame::{ActiveListOf, AttributesOf, FRAGMENT, FRAGMENT_VERTICES, RowStart, Tables, corners, is_whole},
+        model::outward,
     },
     shade::{Planes, Shading},
     surface::{BandColor, Order, Target},
@@ -167,7 +168,8 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
         let uniforms = self.uniforms(model, u32::from(self.order(node)) - face as u32);
         let word = L::Shading::face(model.skin(), &uniforms, model.mesh(), face)?;
         let corners = if is_whole::<L>(node) {
-            corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)
+            let face = model.outward(*model.mesh().faces().get(face)?);
+            corners(self.vertices.get(first_vertex..)?, &face)
         } else {
             self.fragment(node)
         };
@@ -191,6 +193,7 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
 
 impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFaces<'_, 'm, L> {
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
     type Count<'c>
         = <L::Counting as Counting>::Count<'c>
     where
@@ -237,7 +240,8 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         let face = self.first_faces.get(usize::from(node))?;
         let (skin, uniforms) = self.first_skin.as_ref()?;
         let word = L::Shading::face(skin, uniforms, self.models.first()?.mesh(), usize::from(node))?;
-        Some((corners(self.vertices, face)?, word))
+        let face = outward::<L::Shading>(skin, *face);
+        Some((corners(self.vertices, &face)?, word))
     }
 
     #[inline]
@@ -250,14 +254,16 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
             let start = usize::from(node & !FRAGMENT) + 1;
             return self.attributes.get(start..)?.first_chunk().copied();
         }
-        let (first_vertex, face) = match self.first_faces.get(usize::from(node)) {
-            Some(face) => (0, face),
+        let (first_vertex, [a, b, c]) = match self.first_faces.get(usize::from(node)) {
+            Some(face) => {
+                let (skin, _) = self.first_skin.as_ref()?;
+                (0, outward::<L::Shading>(skin, *face))
+            }
             None => {
                 let (model, first_vertex, face) = faces::find(self.models, node)?;
-                (first_vertex, model.mesh().faces().get(face)?)
+                (first_vertex, model.outward(*model.mesh().faces().get(face)?))
             }
         };
-        let [a, b, c] = *face;
         let attributes = |index: u16| self.attributes.get(first_vertex + usize::from(index)).copied();
         Some([attributes(a)?, attributes(b)?, attributes(c)?])
     }

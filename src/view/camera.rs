@@ -1,29 +1,34 @@
-//! The perspective camera.
+//! The camera: in perspective, or with parallel rays.
 
 use core::num::{NonZeroU32, NonZeroU64};
 
 use embedded_graphics::primitives::Rectangle;
-use fixed::types::{I16F16, U0F16};
+use fixed::types::{I8F24, I16F16, U0F16};
 
 use crate::{
-    geometry::{InputError, Window},
+    geometry::{InputError, Sub8, Window, pixel_domain},
     view::{
         Pose, Rotation,
         sine::{cosine, sine},
     },
 };
 
-/// A perspective camera that looks along its z axis, x to the right and y up.
+/// A camera that looks along its z axis, x to the right and y up: in perspective, or with parallel rays for a look that is
+/// [`Orthographic`](crate::scene::Orthographic).
 ///
-/// A point (x, y, z) of eye space is seen at the continuous position u = W/2 + f x/z, v = H/2 - f y/z of a viewport of
+/// A point (x, y, z) of eye space is seen at the continuous position u = c + f x/z, v = d - f y/z of a viewport of
 /// W by H pixels, where pixel i covers i <= u < i + 1. Pixel centres are at integer coordinates, so the screen
-/// coordinates are u - 1/2 and v - 1/2 (and the viewport's top left corner added): a symmetric scene gives a symmetric
-/// picture. The focal length f is W/2 pixels until it is set: a horizontal field of view of 90 degrees.
+/// coordinates are u - 1/2 and v - 1/2 (and the viewport's top left corner added). The centre (c, d) is (W/2, H/2) until it is set:
+/// a symmetric scene gives a symmetric picture. The focal length f is W/2 pixels until it is set: a horizontal field of view of 90
+/// degrees. Without perspective u = c + s x and v = d - s y, for a scale s of one pixel a unit until it is set.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Camera {
     viewport: Window,
     near: I16F16,
+    far: I16F16,
     focal_length: I16F16,
+    centre: [I16F16; 2],
+    scale: I8F24,
     pose: Pose,
 }
 
@@ -47,15 +52,18 @@ impl Camera {
         if viewport.is_empty() || !corners.iter().all(|corner| domain.contains(corner)) {
             return Err(InputError::ViewportOutOfDomain);
         }
-        // Below 16,383 pixels wide, so half of it fits; the greatest focal length still bounds it.
-        let half_width = I16F16::from_bits((viewport.width() as i32) << 15);
+        // Below 16,383 pixels, so half of it fits; the greatest focal length still bounds it.
+        let half = |pixels: u32| I16F16::from_bits((pixels as i32) << 15);
         Self {
             viewport,
             near,
+            far: I16F16::MAX,
             focal_length: I16F16::ONE,
+            centre: [half(viewport.width()), half(viewport.height())],
+            scale: I8F24::ONE,
             pose: Pose::IDENTITY,
         }
-        .with_focal_length(half_width.max(LEAST_FOCAL_LENGTH))
+        .with_focal_length(half(viewport.width()).max(LEAST_FOCAL_LENGTH))
     }
 
     /// The camera with another focal length, in pixels: the size of an object at a distance of its own size.
@@ -83,6 +91,75 @@ impl Camera {
         let focal_length = (product + u64::from(sine.get() / 2)) / NonZeroU64::from(sine);
         let focal_length = i32::try_from(focal_length).map_err(|_| InputError::FocalLengthOutOfDomain)?;
         self.with_focal_length(I16F16::from_bits(focal_length))
+    }
+
+    /// The camera with another scale, in pixels for a unit, for looks that are [`Orthographic`](crate::scene::Orthographic); any other
+    /// look takes the focal length instead.
+    ///
+    /// # Errors
+    /// [`InputError::ScaleOutOfDomain`] for 0 and below.
+    pub fn with_scale(self, scale: I8F24) -> Result<Self, InputError> {
+        if scale <= I8F24::ZERO {
+            return Err(InputError::ScaleOutOfDomain);
+        }
+        Ok(Self { scale, ..self })
+    }
+
+    /// The camera with another point of the picture that it looks at: u to the right and v down from the viewport's top left corner, in
+    /// pixels. The middle until it is set; any other point, which may be outside the viewport, makes the frustum oblique: the viewport is a part
+    /// of a larger picture, the lens is shifted, or the camera is one eye of two that look through the same window.
+    ///
+    /// ```
+    /// use embedded_graphics::{prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::scene::Camera;
+    ///
+    /// // The right half of a picture of 320 x 240 pixels.
+    /// let half = Rectangle::new(Point::new(160, 0), Size::new(160, 240));
+    /// let camera = Camera::new(half, I16F16::from_num(64))?
+    ///     .with_focal_length(I16F16::from_num(160))?
+    ///     .with_centre([0, 120].map(I16F16::from_num::<i32>))?;
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`InputError::OutOfDomain`] for a point that is not within -8191 to 8191 pixels of the display.
+    pub fn with_centre(self, centre: [I16F16; 2]) -> Result<Self, InputError> {
+        let camera = Self { centre, ..self };
+        let (min, max) = pixel_domain::<Sub8>();
+        if camera.centre_pixel().iter().all(|pixel| (min..=max).contains(pixel)) {
+            Ok(camera)
+        } else {
+            Err(InputError::out_of_domain::<Sub8>())
+        }
+    }
+
+    /// The camera with a far plane: what is farther away than `far` units is not drawn, and faces that cross the plane are cut there. A
+    /// look without cut faces ([`Look::CLIPS`](crate::scene::Look::CLIPS)) refuses a far plane, or, where its rays are parallel, a vertex
+    /// behind it.
+    ///
+    /// Without one there is no limit. In perspective it changes no stored depth: those reach to infinity, and each vertex is
+    /// transformed once more for it. Without perspective depths reach from the near to the far plane, or 32,768 units where there is
+    /// none.
+    ///
+    /// # Errors
+    /// [`InputError::FarTooClose`] where it is not behind the near plane.
+    pub fn with_far(self, far: I16F16) -> Result<Self, InputError> {
+        if far <= self.near {
+            return Err(InputError::FarTooClose);
+        }
+        Ok(Self { far, ..self })
+    }
+
+    /// The camera with another near plane.
+    ///
+    /// # Errors
+    /// [`InputError::NearTooClose`]; [`InputError::FarTooClose`] where it is not in front of the far plane.
+    pub(crate) fn with_near(self, near: I16F16) -> Result<Self, InputError> {
+        if near < LEAST_NEAR {
+            return Err(InputError::NearTooClose);
+        }
+        Self { near, ..self }.with_far(self.far)
     }
 
     /// The camera at a position of the world, looking at another one, with `up`, a direction of any length, up in the picture.
@@ -128,6 +205,27 @@ impl Camera {
     /// Distance of the near plane.
     pub const fn near(&self) -> I16F16 {
         self.near
+    }
+
+    /// Distance of the far plane; the greatest number where there is none.
+    pub const fn far(&self) -> I16F16 {
+        self.far
+    }
+
+    /// Pixels for a unit where rays are parallel.
+    pub const fn scale(&self) -> I8F24 {
+        self.scale
+    }
+
+    /// The point of the picture that the camera looks at, from the viewport's top left corner.
+    pub const fn centre(&self) -> [I16F16; 2] {
+        self.centre
+    }
+
+    /// The pixel that the point which the camera looks at is in.
+    pub(crate) fn centre_pixel(&self) -> [i32; 2] {
+        let [x, y] = self.centre.map(|coordinate| coordinate.to_bits() >> 16);
+        [self.viewport.left + x, self.viewport.top + y]
     }
 
     /// Focal length in pixels.

@@ -2,7 +2,10 @@
 
 use fixed::types::{I2F30, I16F16};
 
-use crate::view::{Pose, ScreenPrecision};
+use crate::{
+    geometry::Sub8,
+    view::{Pose, ScreenPrecision},
+};
 
 /// A point of eye space in 1/4096 of the vertices' unit.
 ///
@@ -12,6 +15,12 @@ pub(crate) struct EyePoint {
     pub(crate) x: i32,
     pub(crate) y: i32,
     pub(crate) z: i32,
+}
+
+/// A transformation from the vertices of one model to eye space.
+pub(crate) trait ToEye {
+    /// A vertex in eye space. Nothing wraps: see [`EyePoint`].
+    fn apply(&self, vertex: [i16; 3]) -> EyePoint;
 }
 
 /// The transformation from the vertices of one model to eye space: a matrix and a translation, with
@@ -34,10 +43,12 @@ impl<S: ScreenPrecision> EyeTransform<S> {
             translation: to_eye.matrix().each_ref().map(|row| S::eye_offset(row, &offset)),
         }
     }
+}
 
-    /// Three multiplications a coordinate. Nothing wraps: see [`EyePoint`].
+impl<S: ScreenPrecision> ToEye for EyeTransform<S> {
+    /// Three multiplications a coordinate.
     #[inline]
-    pub(crate) fn apply(&self, vertex: [i16; 3]) -> EyePoint {
+    fn apply(&self, vertex: [i16; 3]) -> EyePoint {
         let [row_x, row_y, row_z] = &self.rows;
         let [t_x, t_y, t_z] = self.translation;
         EyePoint {
@@ -48,7 +59,7 @@ impl<S: ScreenPrecision> EyeTransform<S> {
     }
 }
 
-fn difference(model: I16F16, camera: I16F16) -> i64 {
+pub(super) fn difference(model: I16F16, camera: I16F16) -> i64 {
     i64::from(model.to_bits()) - i64::from(camera.to_bits())
 }
 
@@ -56,4 +67,30 @@ fn difference(model: I16F16, camera: I16F16) -> i64 {
 #[inline(never)]
 fn eye_row<S: ScreenPrecision>([x, y, z]: &[I2F30; 3]) -> [S::EyeElement; 3] {
     [S::eye_element(*x), S::eye_element(*y), S::eye_element(*z)]
+}
+
+/// How far positions of a model are along a camera's axis, for positions of any map: the last row of the transformation to eye space with
+/// 30 fractional bits.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct EyeAxis {
+    row: [I2F30; 3],
+    offset: i64,
+}
+
+impl EyeAxis {
+    pub(crate) fn new(model: &Pose, camera: &Pose) -> Self {
+        let EyeTransform { rows, translation } = EyeTransform::<Sub8>::new(model, camera);
+        let ([_, _, row], [_, _, offset]) = (rows, translation);
+        Self { row, offset }
+    }
+
+    /// The distance of a position below 2^25 in size, in 1/4096 unit.
+    pub(crate) fn distance(&self, position: [i32; 3]) -> i64 {
+        let products = self.row.iter().zip(position);
+        // Three products below 2^55, and an offset below 2^48.
+        let sum = products
+            .map(|(element, coordinate)| i64::from(element.to_bits()) * i64::from(coordinate))
+            .sum::<i64>();
+        (sum + self.offset) >> 18
+    }
 }

@@ -1,12 +1,15 @@
-//! From model to eye to screen: rotations from angles, axes, quaternions and directions, poses, the perspective camera, screen vertices.
+//! From model to eye to screen: rotations from angles, axes, quaternions and directions, poses, affine maps, the camera, screen vertices.
 //!
 //! Axes: x to the right, y up, z away from the viewer. Angles enter once per frame, as fractions of
 //! a turn. All arithmetic is that of integers, so that every machine computes the same vertices.
 
+mod affine;
+mod affine_eye_transform;
 mod camera;
 mod depth_width;
 mod eye_transform;
 mod orientation;
+mod parallel_projection;
 mod pose;
 mod precision;
 mod projection;
@@ -14,6 +17,7 @@ mod rotation;
 mod sine;
 mod unit_vector;
 
+pub use affine::Affine;
 pub use camera::Camera;
 pub use depth_width::DepthWidth;
 pub use pose::Pose;
@@ -21,6 +25,7 @@ pub(crate) use precision::EdgeSum;
 pub use precision::ScreenPrecision;
 pub use rotation::Rotation;
 
-pub(crate) use eye_transform::{EyePoint, EyeTransform};
+pub(crate) use affine_eye_transform::AffineEyeTransform;
+pub(crate) use eye_transform::{EyeAxis, EyePoint, EyeTransform, ToEye};
 pub(crate) use projection::{Position, Projection, ScreenVertex, WideVertex};
 pub(crate) use sine::sine;

@@ -54,7 +54,7 @@ impl Pose {
 }
 
 /// Coordinates with 16 fractional bits, where they fit.
-fn position([x, y, z]: [i64; 3]) -> Result<[I16F16; 3], InputError> {
+pub(super) fn position([x, y, z]: [i64; 3]) -> Result<[I16F16; 3], InputError> {
     let coordinate = |bits: i64| i32::try_from(bits).map(I16F16::from_bits);
     match (coordinate(x), coordinate(y), coordinate(z)) {
         (Ok(x), Ok(y), Ok(z)) => Ok([x, y, z]),

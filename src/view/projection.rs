@@ -76,14 +76,16 @@ pub(crate) struct WideVertex {
 pub(crate) struct Projection<S, D> {
     /// Near plane in 1/4096 unit.
     pub(crate) near: i32,
-    /// The near plane's distance as 16 bits and a shift.
+    /// Far plane in 1/4096 unit; [`NO_FAR`](Self::NO_FAR) where there is none, though coordinates are greater.
+    pub(crate) far: i32,
+    /// The near plane's distance as 16 bits and a shift. Where rays are parallel, only the shift: that of the way to the far plane.
     near_mantissa: u32,
-    near_exponent: u32,
-    /// Focal length in units of the precision.
-    focal_length: i32,
-    center_x: i32,
-    center_y: i32,
-    /// The viewport's centre plus half a unit, with `RATIO_BITS` fractional bits, for rounding in 32-bit arithmetic.
+    pub(super) depth_exponent: u32,
+    /// Focal length in units of the precision. Where rays are parallel, pixels a unit with 24 fractional bits.
+    pub(super) scale: i32,
+    pub(super) center_x: i32,
+    pub(super) center_y: i32,
+    /// The picture's centre plus half a unit, with `RATIO_BITS` fractional bits, for rounding in 32-bit arithmetic.
     rounded_center_x: i32,
     rounded_center_y: i32,
     /// The greatest x/z and y/z in size that stay inside the guard band, taken to its nearest side.
@@ -91,25 +93,46 @@ pub(crate) struct Projection<S, D> {
     formats: core::marker::PhantomData<(S, D)>,
 }
 
+/// The centre of the picture in units of a precision, minus the half pixel from u to x, rounded to the nearest: below 2^14 times 2^8.
+pub(super) fn center<S: ScreenPrecision>(camera: &Camera) -> [i32; 2] {
+    let half = 1 << (15 - S::FRACTION_BITS);
+    let units = |start: i32, from_start: I16F16| {
+        (start << S::FRACTION_BITS) + ((from_start.to_bits() - (1 << 15) + half) >> (16 - S::FRACTION_BITS))
+    };
+    let (viewport, [x, y]) = (camera.viewport(), camera.centre());
+    [units(viewport.left, x), units(viewport.top, y)]
+}
+
 impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
+    /// The far plane of a camera that has none.
+    pub(crate) const NO_FAR: i32 = i32::MAX >> 4;
+
+    /// A projection whose numbers are all 0.
+    pub(super) const ZERO: Self = Self {
+        near: 0,
+        far: 0,
+        near_mantissa: 0,
+        depth_exponent: 0,
+        scale: 0,
+        center_x: 0,
+        center_y: 0,
+        rounded_center_x: 0,
+        rounded_center_y: 0,
+        greatest_ratio: 0,
+        formats: core::marker::PhantomData,
+    };
+
     /// Whether 16-bit reciprocals are too coarse: with 1/256 pixel or 24-bit depth.
     const WIDE: bool = S::FRACTION_BITS > 4 || D::FRACTION_BITS < 16;
     /// Fractional bits of x/z.
     const RATIO_BITS: u32 = if Self::WIDE { 24 } else { 15 };
 
     pub(crate) fn new(camera: &Camera) -> Self {
-        let viewport = camera.viewport();
-        let half_unit = 1 << (S::FRACTION_BITS - 1);
-        // Twice the centre of the viewport, minus the half pixel from u to x; below 2^15 times 2^8.
-        let center = |start: i32, end: i32| (start + end - 1) * half_unit;
         // The camera checked it: at least 8 units, which is 2^15 here.
         let near = camera.near().to_bits() >> 4;
-        let near_exponent = exponent(near);
+        let depth_exponent = exponent(near);
         let focal_length = camera.focal_length().to_bits() >> (16 - S::FRACTION_BITS);
-        let (center_x, center_y) = (
-            center(viewport.left, viewport.right),
-            center(viewport.top, viewport.bottom),
-        );
+        let [center_x, center_y] = center::<S>(camera);
         // One unit is left for rounding.
         let distance = |center: i32| (S::MAX_UNITS - center).min(center - S::MIN_UNITS).max(1) - 1;
         let distance = distance(center_x).min(distance(center_y)) as u64;
@@ -120,10 +143,11 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         let rounded = |center: i32| center << Self::RATIO_BITS | 1 << (Self::RATIO_BITS - 1);
         Self {
             near,
+            far: camera.far().to_bits() >> 4,
             // Rounded down, so that it times a reciprocal stays below 2^32.
-            near_mantissa: near as u32 >> near_exponent,
-            near_exponent,
-            focal_length,
+            near_mantissa: near as u32 >> depth_exponent,
+            depth_exponent,
+            scale: focal_length,
             center_x,
             center_y,
             rounded_center_x: rounded(center_x),
@@ -149,7 +173,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     }
 
     /// Projects a vertex to the same integers as [`project`](Self::project). `None` where the vertex is further from
-    /// the centre of the viewport than the nearest side of the guard band is.
+    /// the centre of the picture than the nearest side of the guard band is.
     #[inline]
     pub(crate) fn project_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
         if Self::WIDE {
@@ -170,8 +194,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
             return None;
         }
         // A product below 2^14 units, a centre below that, and 15 bits: below 2^30.
-        let x = self.rounded_center_x + ratio_x * self.focal_length;
-        let y = self.rounded_center_y - ratio_y * self.focal_length;
+        let x = self.rounded_center_x + ratio_x * self.scale;
+        let y = self.rounded_center_y - ratio_y * self.scale;
         Some(ScreenVertex {
             x: S::narrow(x >> Self::RATIO_BITS),
             y: S::narrow(y >> Self::RATIO_BITS),
@@ -212,7 +236,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         // The mantissa is not 0 for a vertex behind the near plane.
         let reciprocal = NonZeroU32::new(mantissa).map_or(0, |mantissa| reciprocal_16(mantissa, mantissa.get() >> 1));
         // No vertex is nearer than the near plane: its exponent is not smaller.
-        let near_over_z = (self.near_mantissa * reciprocal) >> (exponent - self.near_exponent);
+        let near_over_z = (self.near_mantissa * reciprocal) >> (exponent - self.depth_exponent);
         (
             multiply_high_16(eye.x, reciprocal) >> exponent,
             multiply_high_16(eye.y, reciprocal) >> exponent,
@@ -224,7 +248,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
     fn screen_units(&self, ratio: i64) -> i64 {
         let half = 1 << (Self::RATIO_BITS - 1);
         // Below 2^15 in size with 24 more bits, times a focal length below 2^19.
-        (ratio * i64::from(self.focal_length) + half) >> Self::RATIO_BITS
+        (ratio * i64::from(self.scale) + half) >> Self::RATIO_BITS
     }
 }
 

@@ -21,8 +21,8 @@ pub(super) fn scaled<const N: usize>(vector: [i64; N]) -> Option<[i64; N]> {
     let bits = u64::BITS - greatest.leading_zeros();
     Some(vector.map(|value| {
         if bits > BITS {
-            // A coordinate of 62 bits at most, which has room for the half.
-            (value + (1 << (bits - BITS - 1))) >> (bits - BITS)
+            // The half comes in last, where there is room for it.
+            ((value >> (bits - BITS - 1)) + 1) >> 1
         } else {
             value << (BITS - bits)
         }

@@ -65,9 +65,9 @@ impl<S: ScreenPrecision> PlaneSource for AtPrecision<'_, '_, S> {
 
 /// Sets up the planes of the attributes of a face with these corners.
 #[inline(never)]
-pub(super) fn set_up_attributes<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+pub(super) fn set_up_attributes<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
     face: &mut ActiveFace<S, H>,
-    faces: &impl FaceTable<S, D, H>,
+    faces: &F,
     corners: [&ScreenVertex<S, D>; 3],
     surroundings: &Surroundings<'_>,
 ) {
@@ -77,7 +77,12 @@ pub(super) fn set_up_attributes<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     let attributes = in_order_of_rows(corners, attributes);
     let corners = from_top(corners);
     let sides = Sides::of(corners, surroundings.first_column);
-    let depths = corners.map(|corner| (corner.z.units() as u32) << D::FRACTION_BITS);
+    let depths = if F::IS_ORTHOGRAPHIC {
+        // Nothing has a weight: as in a face whose corners are all as far away.
+        [1; 3]
+    } else {
+        corners.map(|corner| (corner.z.units() as u32) << D::FRACTION_BITS)
+    };
     let corners = Corners::new::<S>(sides, depths, surroundings);
     let source = AtPrecision::<S>(&corners, core::marker::PhantomData);
     face.attributes = H::Attributes::set_up(attributes, &source, H::TOLERANCE);

@@ -222,5 +222,7 @@ fn skip(column: i32, error_term: i32, [columns, rest, height]: [i32; 3], rows: i
     } else {
         (0, -behind as i32)
     };
-    (column + (columns * rows) + carries, error_term)
+    // An edge that ends before the row is reached may wrap here: nobody asks for its columns.
+    let column = column.wrapping_add(columns.wrapping_mul(rows));
+    (column.wrapping_add(carries), error_term)
 }

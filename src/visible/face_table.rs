@@ -20,6 +20,8 @@ pub(crate) type ColoredFace<'t, S, D, H> = ([&'t ScreenVertex<S, D>; 3], WordOf<
 pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     /// Whether rows with more faces than slots are drawn in passes.
     const DRAWS_IN_PASSES: bool;
+    /// Whether what varies evenly in space does so on the screen: whether rays are parallel.
+    const IS_ORTHOGRAPHIC: bool;
     /// What counts.
     type Count<'c>: Count
     where

@@ -68,7 +68,7 @@ where
     /// pixel of the row, and may lie outside it.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) -> Option<usize> {
-        if !H::Attributes::are_even(&face.attributes) {
+        if !F::IS_ORTHOGRAPHIC && !H::Attributes::are_even(&face.attributes) {
             return self.draw_divided_span(face, [start, end]);
         }
         let (column, end) = (start.max(0), end.min(self.row.words.len() as i32));
@@ -127,8 +127,8 @@ where
 /// row, the pixel lies in the picture.
 #[cold]
 #[inline(never)]
-pub(super) fn word_at<S: ScreenPrecision, D: DepthWidth, H: Shading>(
-    faces: &impl FaceTable<S, D, H>,
+pub(super) fn word_at<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+    faces: &F,
     face: &ActiveFace<S, H>,
     span: [i32; 2],
     [column, row]: [i32; 2],
@@ -136,22 +136,12 @@ pub(super) fn word_at<S: ScreenPrecision, D: DepthWidth, H: Shading>(
 ) -> Option<WordOf<H>> {
     let skin = faces.skin(face.node)?;
     let column = column - first_column;
-    let run = if H::Attributes::are_even(&face.attributes) {
+    let run = if F::IS_ORTHOGRAPHIC || H::Attributes::are_even(&face.attributes) {
         H::Attributes::even_run(&face.attributes, column, span[1], row)
     } else {
         divided_run::<S, D, H>(face, span, [column, row], first_column, None)
     };
-    fragment(faces, skin, face.word, &run.values)
-}
-
-/// The word of a pixel of a face of a table; `None` for a hole.
-fn fragment<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
-    _: &F,
-    skin: &F::Skin,
-    word: WordOf<H>,
-    values: &ValuesOf<H>,
-) -> Option<WordOf<H>> {
-    F::fragment(skin, word, values)
+    F::fragment(skin, face.word, &run.values)
 }
 
 /// Whether a face covers a pixel of the picture, and is no hole there.

@@ -7,7 +7,7 @@ use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{InputError, Sub4, Sub8, TooSmall},
-    scene::{DepthWidth, Memory, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, Memory, Pose, Rotation, ScreenPrecision, Whole},
 };
 use zrow_methods::LookOf;
 
@@ -32,8 +32,8 @@ fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Whether the ray through a point of the screen meets the front of a face behind the near plane.
-fn is_seen(face: [[f64; 3]; 3], x: f64, y: f64) -> bool {
+/// Whether the ray through a point of the screen meets the front of a face between the near plane and one at a distance.
+fn is_seen(face: [[f64; 3]; 3], far: f64, x: f64, y: f64) -> bool {
     let focal = f64::from(WIDTH) / 2.0;
     let (center_x, center_y) = (f64::from(WIDTH - 1) / 2.0, f64::from(HEIGHT - 1) / 2.0);
     let ray = [(x - center_x) / focal, (center_y - y) / focal, 1.0];
@@ -43,16 +43,22 @@ fn is_seen(face: [[f64; 3]; 3], x: f64, y: f64) -> bool {
     let sides = [cross(b, c), cross(c, a), cross(a, b)].map(|normal| dot(normal, ray));
     let inside = volume < 0.0 && sides.iter().all(|&side| side < 0.0);
     let distance = volume / sides.iter().sum::<f64>();
-    inside && distance > NEAR - 1e-6
+    inside && distance > NEAR - 1e-6 && distance < far + 1e-6
 }
 
 /// Compares all pixels at whose centre and 0.2 pixels around it the rays agree; returns how many were seen.
 fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) -> usize {
+    let area = area(WIDTH, HEIGHT);
+    check_with::<S, D>(corners, &camera(area), f64::INFINITY)
+}
+
+/// Compares the pixels of a camera with a far plane.
+fn check_with<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3], camera: &Camera, far: f64) -> usize {
     let scene = Scene::new(vec![Mesh::new(corners.to_vec(), vec![[0, 1, 2]])]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(WIDTH, HEIGHT);
     let mut memory = Memory::<LookOf<Rgb888, S, D>, 40, 1, 128, 40, 8>::new();
-    let mut prepared = memory.prepare(&camera(area), &models).unwrap();
+    let mut prepared = memory.prepare(camera, &models).unwrap();
     let face = corners.map(|corner| corner.map(f64::from));
     let mut seen = 0;
     for (point, drawn) in area.points().zip(picture(&mut prepared, area)) {
@@ -61,9 +67,9 @@ fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) -> usize {
         let around = (0..48).map(|ray| {
             let (sine, cosine) = (f64::from(ray) * TAU / 24.0).sin_cos();
             let radius = if ray < 24 { 0.1 } else { 0.2 };
-            is_seen(face, x + radius * cosine, y + radius * sine)
+            is_seen(face, far, x + radius * cosine, y + radius * sine)
         });
-        let rays: Vec<_> = around.chain([is_seen(face, x, y)]).collect();
+        let rays: Vec<_> = around.chain([is_seen(face, far, x, y)]).collect();
         if rays.iter().all(|&ray| ray == rays[0]) {
             assert_eq!(drawn.is_some(), rays[0], "{point:?} of {corners:?}");
             seen += usize::from(rays[0]);
@@ -85,6 +91,20 @@ proptest! {
         for corners in [corners, [corners[0], corners[2], corners[1]]] {
             check::<Sub4, u16>(corners);
             check::<Sub8, u32>(corners);
+        }
+    }
+
+    /// Corners before, at and behind the near and the far plane.
+    #[test]
+    fn the_far_plane_cuts_where_it_is(
+        positions in prop::array::uniform3((-1_000i16..1_000, -900i16..900)),
+        distances in prop::array::uniform3(prop_oneof![-300i16..1_500, 390i16..410, Just(400), Just(128)]),
+    ) {
+        let corners = [0, 1, 2].map(|i| [positions[i].0, positions[i].1, distances[i]]);
+        let camera = camera(area(WIDTH, HEIGHT)).with_far(I16F16::from_num(400)).unwrap();
+        for corners in [corners, [corners[0], corners[2], corners[1]]] {
+            check_with::<Sub4, u16>(corners, &camera, 400.0);
+            check_with::<Sub8, u32>(corners, &camera, 400.0);
         }
     }
 
@@ -147,4 +167,66 @@ fn a_wall_that_begins_at_the_near_plane() {
         let flat = check::<Sub8, u16>([[-90, -80, z], [-90, 80, z], [90, 0, z]]);
         assert_eq!(flat > 0, z >= 128);
     }
+}
+
+/// A corner on the far plane, and 1/4096 unit in front of it and behind it: only the last one is cut. Where no
+/// face is cut, the plane is an error.
+#[test]
+fn the_far_plane_cuts_to_the_unit() {
+    fn check<S: ScreenPrecision, D: DepthWidth>() {
+        let far = I16F16::from_num(600);
+        let camera = camera(area(WIDTH, HEIGHT)).with_far(far).unwrap();
+        let unit = I16F16::from_bits(1 << 4);
+        for (behind, is_cut) in [(-unit, false), (I16F16::ZERO, false), (unit, true)] {
+            let scene = Scene::new(vec![Mesh::new(
+                vec![[-50, -40, 0], [-50, 40, -300], [60, 0, -300]],
+                vec![[0, 1, 2]],
+            )]);
+            let position = [I16F16::ZERO, I16F16::ZERO, far + behind];
+            let models = scene.models(Pose::new(Rotation::IDENTITY, position));
+            let mut memory = Memory::<LookOf<Rgb888, S, D>, 11, 1, 128, 40, 1>::new();
+            let prepared = memory.prepare(&camera, &models).unwrap();
+            assert_eq!(prepared.vertices_needed() > 3, is_cut, "{behind}");
+            assert!(prepared.faces().count() > 0);
+            let mut whole = Memory::<Whole<LookOf<Rgb888, S, D>>, 3, 1, 128, 40, 1>::new();
+            let error = Some(InputError::FarPlaneUncut);
+            assert_eq!(whole.prepare(&camera, &models).err(), error, "{behind}");
+        }
+    }
+    check::<Sub4, u16>();
+    check::<Sub4, u32>();
+    check::<Sub8, u16>();
+    check::<Sub8, u32>();
+}
+
+/// What lies behind the far plane altogether takes no fragments; the most corners that a polygon gets are nine.
+#[test]
+fn far_faces_are_left_out_and_large_ones_cut_at_each_plane() {
+    let camera = camera(area(WIDTH, HEIGHT)).with_far(I16F16::from_num(1_000)).unwrap();
+    let scene = |corners: [[i16; 3]; 3]| Scene::new(vec![Mesh::new(corners.to_vec(), vec![[0, 1, 2], [0, 2, 1]])]);
+    let needed = |corners| {
+        let scene = scene(corners);
+        let mut memory = Memory::<Rgb888, 80, 2, 128, 40, 8>::new();
+        let models = scene.models(Pose::IDENTITY);
+        memory.prepare(&camera, &models).unwrap().vertices_needed()
+    };
+    assert_eq!(needed([[-900, -900, 1_001], [0, 900, 3_000], [900, -900, 2_000]]), 3);
+    assert_eq!(needed([[-900, -900, 1_001], [0, 900, 999], [900, -900, 2_000]]), 7);
+    let mut most = 0;
+    for round in 0..30_000i32 {
+        let number = |factor: i32, size: i32| (round.wrapping_mul(factor) % size) as i16;
+        let corner = |k: i32| {
+            [
+                number(7_919 + k, 32_000),
+                number(104_729 * k + 13, 32_000),
+                number(1_299_709 + 7 * k, 2_500),
+            ]
+        };
+        most = most.max(needed([corner(1), corner(12), corner(123)]));
+    }
+    assert!(most >= 3 + 4 * 4, "{most}");
+    assert_eq!(
+        camera.with_far(I16F16::from_num(128)).err(),
+        Some(InputError::FarTooClose)
+    );
 }

@@ -1,10 +1,13 @@
 //! Looks: each wrapper around each other one, in both orders, draws the picture of the look that it names.
 
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
+use fixed::types::I8F24;
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
-    scene::{Camera, Counted, Deep, Fine, Look, Memory, Model, OnePass, Pose, Rotation, Unhurried, Whole},
+    scene::{
+        Camera, Counted, Deep, Fine, Look, Memory, Model, OnePass, Orthographic, Pose, Rotation, Unhurried, Whole,
+    },
 };
 use zrow_methods::LookOf;
 
@@ -38,7 +41,7 @@ fn picture<L: Look<Color = Rgb888, Shading = Rgb888>>(
 
 fn outcome<L: Look<Color = Rgb888, Shading = Rgb888>>() -> Outcome {
     let (area, scene) = (area(128, 64), Scene::new(vec![meshes::torus(), meshes::cube(0.5)]));
-    let camera = camera(area);
+    let camera = camera(area).with_scale(I8F24::from_num(0.05)).unwrap();
     let turned = scene.models(standard_pose(5));
     let near = scene.models(Pose::new(Rotation::IDENTITY, at(0, 0, 300)));
     let mut few = Box::new(Memory::<L, 600, 600, 128, 64, 10>::new());
@@ -78,6 +81,12 @@ fn each_wrapper_changes_one_thing() {
     check::<Whole<Rgb888>, LookOf<Rgb888, Sub4, u16, false, true>>();
     check::<OnePass<Rgb888>, LookOf<Rgb888, Sub4, u16, true, false>>();
 
+    check::<Orthographic<Rgb888>, Orthographic<LookOf<Rgb888, Sub4, u16, true, true>>>();
+
+    assert!(
+        outcome::<Orthographic<Rgb888>>().picture != plain.picture,
+        "what is nearer is not larger"
+    );
     assert!(
         outcome::<Fine<Rgb888>>().picture != plain.picture,
         "1/256 pixel moves some edge"
@@ -105,6 +114,14 @@ fn every_pair_of_wrappers_goes_in_both_orders() {
     check::<OnePass<Deep<Rgb888>>, LookOf<Rgb888, Sub4, u32, true, false>>();
     check::<Whole<OnePass<Rgb888>>, LookOf<Rgb888, Sub4, u16, false, false>>();
     check::<OnePass<Whole<Rgb888>>, LookOf<Rgb888, Sub4, u16, false, false>>();
+    check::<Orthographic<Fine<Rgb888>>, Orthographic<LookOf<Rgb888, Sub8, u16, true, true>>>();
+    check::<Fine<Orthographic<Rgb888>>, Orthographic<LookOf<Rgb888, Sub8, u16, true, true>>>();
+    check::<Orthographic<Deep<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u32, true, true>>>();
+    check::<Deep<Orthographic<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u32, true, true>>>();
+    check::<Orthographic<Whole<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u16, false, true>>>();
+    check::<Whole<Orthographic<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u16, false, true>>>();
+    check::<Orthographic<OnePass<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u16, true, false>>>();
+    check::<OnePass<Orthographic<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u16, true, false>>>();
 }
 
 #[test]
@@ -116,6 +133,7 @@ fn wrappers_go_around_each_other_and_twice() {
     check::<Unhurried<Whole<Counted<Deep<Rgb888>>>>, LookOf<Rgb888, Sub4, u32, false, true>>();
     check::<Deep<Counted<OnePass<Rgb888>>>, LookOf<Rgb888, Sub4, u32, true, false>>();
     check::<Fine<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u16, true, true>>();
+    check::<Whole<Orthographic<Deep<OnePass<Fine<Rgb888>>>>>, Orthographic<LookOf<Rgb888, Sub8, u32, false, false>>>();
 }
 
 /// What a look does not name takes no memory: the tables of the plainest one have 6 bytes a vertex.
@@ -135,4 +153,5 @@ fn memory_is_that_of_the_look() {
     assert_eq!(grown::<Whole<OnePass<Rgb888>>>(), [600, 200, 200, 400]);
     assert_eq!(grown::<Deep<Rgb888>>(), [800, 200, 400, 400]);
     assert_eq!(grown::<Fine<Rgb888>>(), [1200, 200, 200, 400]);
+    assert_eq!(grown::<Orthographic<Rgb888>>(), [600, 200, 200, 400]);
 }

@@ -9,6 +9,8 @@ mod reference {
 #[path = "../common/snapped_faces.rs"]
 mod snapped_faces;
 
+mod affine_maps;
+mod cameras;
 mod clipped_faces;
 mod counters;
 mod depth_row;
@@ -16,6 +18,7 @@ mod looks;
 mod number_range;
 mod numbered_scene;
 mod orientations;
+mod orthographic;
 mod passes;
 mod picture_items;
 mod projection;

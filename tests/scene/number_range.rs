@@ -10,8 +10,8 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Window},
-    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation, ScreenPrecision},
-    shade::{LinearGradient, Paint, RadialGradient, Ramp},
+    scene::{Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Memory, Model, Pose, Rotation, ScreenPrecision},
+    shade::{LinearGradient, Paint, RadialGradient, Ramp, Transformed},
 };
 use zrow_methods::LookOf;
 
@@ -214,4 +214,24 @@ proptest! {
         check_scene::<Sub8, u16>(&camera, &models)?;
         check_scene::<Sub8, u32>(&camera, &models)?;
     }
+}
+
+/// Edges that nearly lie in a row and end far above the viewport, which are skipped: their columns there have no meaning.
+#[test]
+fn edges_that_end_far_above_the_viewport_are_skipped() {
+    let bits = |vector: [i32; 3]| vector.map(I16F16::from_bits);
+    let rotation = Rotation::look_at(bits([20, 1 << 26, 218_103_808]), bits([0, -1, 0])).unwrap();
+    let pose = Pose::new(rotation, bits([0, 1, i32::MIN]));
+    let vertices = [[1, 0, 32_767], [0, 32_767, 32_767], [1_023, 0, 32_767], [0, 0, 0]];
+    let mesh = FaceSet::new(&vertices, &[[0, 1, 2], [0, 2, 1], [1, 2, 3], [3, 2, 1]]).unwrap();
+    let area = Rectangle::new(Point::zero(), Size::new(24, 16));
+    let camera = Camera::new(area, I16F16::from_num(8)).unwrap();
+    let skin = (&[Rgb888::RED; 4][..], Affine::IDENTITY);
+    let models = [Model::<Transformed<Rgb888>>::with_skin(mesh, skin)
+        .unwrap()
+        .with_pose(pose)];
+    let mut memory = Memory::<Fine<Deep<Transformed<Rgb888>>>, 100, 4, 24, 16, 4>::new();
+    let mut words = [0; 24 * 16];
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
+    prepared.draw(&mut Band::<Rgb888>::new(area, &mut words).unwrap());
 }

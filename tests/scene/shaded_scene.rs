@@ -63,7 +63,7 @@ macro_rules! shows_numbers {
 
             fn uniforms(_: &Numbers<'_, N>, _: &Pose, _: &Camera) {}
 
-            fn vertex(skin: &Numbers<'_, N>, (): &(), vertex: usize, _: [i16; 3]) -> $attributes {
+            fn vertex(skin: &Numbers<'_, N>, (): &(), vertex: usize, _: [i32; 3]) -> $attributes {
                 $new(skin.of_vertices[vertex])
             }
 

@@ -362,7 +362,7 @@ impl Shading for Marked {
         *skin
     }
 
-    fn vertex(_: &u16, uniforms: &u16, _: usize, _: [i16; 3]) -> [i16; 1] {
+    fn vertex(_: &u16, uniforms: &u16, _: usize, _: [i32; 3]) -> [i16; 1] {
         [*uniforms as i16]
     }
 

@@ -1,6 +1,6 @@
 //! Sutherland and Hodgman (1974): cuts a convex polygon by one plane after another.
 //!
-//! The near plane cuts in eye space, before anything is divided by z. The guard band then cuts on the screen, where a
+//! The near and the far plane cut in eye space, before anything is divided by z. The guard band then cuts on the screen, where a
 //! coordinate would leave the domain of its precision; that is much larger than a display, so few faces meet it, and
 //! depth is affine there. A cut rounds once, from the end inside to the end outside, so that two faces that share an
 //! edge get the same point. All planes share one loop: faces are seldom cut, and flash is scarce.
@@ -23,8 +23,8 @@ pub(crate) struct PolygonCorner<S: ScreenPrecision, A> {
     pub(crate) attributes: A,
 }
 
-/// The corners of a convex polygon. A face has three, the near plane adds one, and each side of the guard band one.
-pub(crate) type Polygon<S, A> = Vec<PolygonCorner<S, A>, 8>;
+/// The corners of a convex polygon. A face has three, the near and the far plane add one each, and each side of the guard band one.
+pub(crate) type Polygon<S, A> = Vec<PolygonCorner<S, A>, 9>;
 
 // Not re-exported: what varies over faces is sealed.
 /// Attributes of the corners of a polygon, such as texture coordinates, which the corners that a plane adds get as well.
@@ -44,8 +44,8 @@ pub(crate) struct Plane {
     limit: i32,
     /// Whether what is below the limit is kept.
     below: bool,
-    /// Whether it cuts on the screen, where depth varies evenly and not distance.
-    on_screen: bool,
+    /// Whether it cuts where depth varies evenly and not distance: on the screen, in perspective.
+    is_in_perspective: bool,
 }
 
 impl Plane {
@@ -55,25 +55,33 @@ impl Plane {
             axis: 2,
             limit: z,
             below: false,
-            on_screen: false,
+            is_in_perspective: false,
+        }
+    }
+
+    /// Keeps what is not behind the far plane.
+    pub(crate) const fn far(z: i32) -> Self {
+        Self {
+            below: true,
+            ..Self::near(z)
         }
     }
 
     /// The sides of the domain of `S` on the screen: left, right, top, bottom.
-    pub(crate) const fn guard_band<S: ScreenPrecision>() -> [Self; 4] {
-        const fn side(axis: u8, limit: i32, below: bool) -> Plane {
+    pub(crate) const fn guard_band<S: ScreenPrecision>(is_in_perspective: bool) -> [Self; 4] {
+        const fn side(axis: u8, limit: i32, below: bool, is_in_perspective: bool) -> Plane {
             Plane {
                 axis,
                 limit,
                 below,
-                on_screen: true,
+                is_in_perspective,
             }
         }
         [
-            side(0, S::MIN_UNITS, false),
-            side(0, S::MAX_UNITS, true),
-            side(1, S::MIN_UNITS, false),
-            side(1, S::MAX_UNITS, true),
+            side(0, S::MIN_UNITS, false, is_in_perspective),
+            side(0, S::MAX_UNITS, true, is_in_perspective),
+            side(1, S::MIN_UNITS, false, is_in_perspective),
+            side(1, S::MAX_UNITS, true, is_in_perspective),
         ]
     }
 
@@ -93,9 +101,9 @@ impl Plane {
         outside: &PolygonCorner<S, A>,
         [part, rest]: [u64; 2],
     ) -> A {
-        // On the screen, what varies evenly in space has the weight of its depth. Distances are below 2^35 and depths below 2^24.
+        // In perspective, what varies evenly in space has the weight of its depth on the screen. Distances are below 2^35 and depths below 2^24.
         let depth = |corner: &PolygonCorner<S, A>| {
-            if A::NEED_DEPTH && self.on_screen {
+            if A::NEED_DEPTH && self.is_in_perspective {
                 let [_, _, z]: [S::Wide; 3] = corner.position;
                 z.into() as u64
             } else {

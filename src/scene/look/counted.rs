@@ -21,4 +21,5 @@ impl<L: Look> Look for Counted<L> {
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
     const HURRIES: bool = L::HURRIES;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
 }

@@ -7,6 +7,7 @@ mod counted;
 mod deep;
 mod fine;
 mod one_pass;
+mod orthographic;
 mod unhurried;
 mod whole;
 
@@ -14,6 +15,7 @@ pub use counted::Counted;
 pub use deep::Deep;
 pub use fine::Fine;
 pub use one_pass::OnePass;
+pub use orthographic::Orthographic;
 pub use unhurried::Unhurried;
 pub use whole::Whole;
 
@@ -30,8 +32,8 @@ use crate::{
 ///
 /// Every [`Shading`] is a look, and a colour is the plainest one, with a colour a face: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, faces are cut, rows are drawn in
 /// passes where they must. A wrapper changes one thing of another look, in any order: [`Fine`] (positions at 1/256 pixel), [`Deep`]
-/// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes), [`Counted`] (counters), [`Unhurried`] (no
-/// shortcuts). A look can also be a type of the program's own.
+/// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes), [`Orthographic`] (parallel rays), [`Counted`]
+/// (counters), [`Unhurried`] (no shortcuts). A look can also be a type of the program's own.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -70,14 +72,14 @@ pub trait Look: 'static {
     /// `()`; in looks that are [`Counted`], the counters of a frame.
     type Counting: Counting;
 
-    /// Whether faces are cut at the near plane and at the guard band, so that a scene may be anywhere, also around the camera.
+    /// Whether faces are cut at the near plane, at the far plane and at the guard band, so that a scene may be anywhere, also around the camera.
     /// Flash: about 3 KB on a Cortex-M3 at opt-level "s".
     ///
     /// Without, each vertex of the models must be on the screen: not in front of the near plane, and within the guard band,
-    /// which reaches from the viewport's centre on each side as far as the coordinates of the precision do on the nearest:
+    /// which reaches from the picture's centre on each side as far as the coordinates of the precision do on the nearest:
     /// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`]. Otherwise
     /// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All
-    /// pictures are those with cut faces.
+    /// pictures are those with cut faces. A camera with a far plane is refused, unless rays are parallel.
     const CLIPS: bool = true;
 
     /// Whether a row that more faces cross than the memory has slots for (`ACTIVE`) is drawn in as many passes as it takes: the
@@ -89,6 +91,9 @@ pub trait Look: 'static {
     /// Whether frames take the shortcuts that they allow: rows in which no face overlaps another are filled without depths, and
     /// faces are looked through for those to be cut only where a vertex is off the screen.
     const HURRIES: bool = true;
+
+    /// Whether rays are parallel, so that things are as large wherever they are, and no vertex is divided by its distance.
+    const IS_ORTHOGRAPHIC: bool = false;
 }
 
 impl<H: Shading> Look for H {

@@ -19,4 +19,5 @@ impl<L: Look> Look for OnePass<L> {
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = false;
     const HURRIES: bool = L::HURRIES;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
 }

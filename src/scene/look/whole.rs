@@ -19,4 +19,5 @@ impl<L: Look> Look for Whole<L> {
     const CLIPS: bool = false;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
     const HURRIES: bool = L::HURRIES;
+    const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
 }

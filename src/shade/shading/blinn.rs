@@ -63,7 +63,7 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Blinn<LIGHTS, POINTS
         }
     }
 
-    fn reflected(lights: &MirroredLights<LIGHTS, POINTS>, normal: [i32; 3], position: [i16; 3]) -> ReflectedLight {
+    fn reflected(lights: &MirroredLights<LIGHTS, POINTS>, normal: [i32; 3], position: [i32; 3]) -> ReflectedLight {
         let mut highlights = 0;
         let to_eye = Way::new(lights.way_to_eye(position)).unit();
         for towards in &lights.diffuse.towards {
@@ -85,11 +85,11 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Blinn<LIGHTS, POINTS
 }
 
 impl<const LIGHTS: usize, const POINTS: usize> MirroredLights<LIGHTS, POINTS> {
-    /// The way from a position of the model to the camera, in 1/16 of the vertices' unit: below 2^24.
-    fn way_to_eye(&self, position: [i16; 3]) -> [i32; 3] {
+    /// The way from a position of the model to the camera, in 1/16 of the vertices' unit: below 2^29.
+    fn way_to_eye(&self, position: [i32; 3]) -> [i32; 3] {
         let mut way = self.eye;
         for (way, coordinate) in way.iter_mut().zip(position) {
-            *way -= i32::from(coordinate) << POSITION_BITS;
+            *way -= coordinate << POSITION_BITS;
         }
         way
     }

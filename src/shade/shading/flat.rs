@@ -27,7 +27,7 @@ impl<C: BandColor> Shading for C {
     fn uniforms(_: &&[C], _: &Pose, _: &Camera) {}
 
     #[inline]
-    fn vertex(_: &&[C], (): &(), _: usize, _: [i16; 3]) {}
+    fn vertex(_: &&[C], (): &(), _: usize, _: [i32; 3]) {}
 
     #[inline]
     fn face(colors: &&[C], (): &(), _: &FaceSet<'_>, face: usize) -> Option<C::Word> {

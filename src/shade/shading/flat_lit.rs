@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{FaceSet, unit_normal},
+    mesh::{FaceSet, normal, unit_normal},
     shade::{
         ChannelColor, Shading,
         layout::{Channel, Channels, Layout},
@@ -17,7 +17,7 @@ use crate::{
             lighting::{LIGHT_BITS, Lighting, ReflectedLight},
         },
     },
-    view::{Camera, Pose},
+    view::{Affine, Camera, Pose},
 };
 
 /// A colour for each face under lights ([`Lighting`]), the same all over the face.
@@ -62,15 +62,30 @@ impl<C: ChannelColor, L: Lighting> Shading for FlatLit<C, L> {
     }
 
     #[inline]
-    fn vertex(_: &Self::Skin<'_>, _: &L::OfModel, _: usize, _: [i16; 3]) {}
+    fn vertex(_: &Self::Skin<'_>, _: &L::OfModel, _: usize, _: [i32; 3]) {}
 
     #[inline]
     fn face(skin: &Self::Skin<'_>, lights: &L::OfModel, mesh: &FaceSet<'_>, face: usize) -> Option<C::Word> {
-        let normal = skin.normals.get(face)?;
-        let color = skin.colors.get(face).or(skin.colors.last())?;
+        let normal = unit_normal(*skin.normals.get(face)?);
         let position = if L::NEEDS_POSITIONS { middle(mesh, face) } else { [0; 3] };
-        let light = L::reflected(lights, unit_normal(*normal), position);
-        Some(lit::<C::Layout>(color.to_word(), light))
+        skin.lit_face(face, L::reflected(lights, normal, position))
+    }
+
+    #[inline]
+    fn transformed_face(
+        skin: &Self::Skin<'_>,
+        lights: &L::OfModel,
+        [map, normals]: [&Affine; 2],
+        mesh: &FaceSet<'_>,
+        face: usize,
+    ) -> Option<C::Word> {
+        let normal = normals.unit_vector(normal(*skin.normals.get(face)?));
+        let position = if L::NEEDS_POSITIONS {
+            map.position(middle(mesh, face))
+        } else {
+            [0; 3]
+        };
+        skin.lit_face(face, L::reflected(lights, normal, position))
     }
 
     #[inline]
@@ -80,7 +95,7 @@ impl<C: ChannelColor, L: Lighting> Shading for FlatLit<C, L> {
 }
 
 /// The middle of a face: the mean of its corners.
-fn middle(mesh: &FaceSet<'_>, face: usize) -> [i16; 3] {
+fn middle(mesh: &FaceSet<'_>, face: usize) -> [i32; 3] {
     let mut middle = [0; 3];
     for corner in mesh.faces().get(face).into_iter().flatten() {
         let position = mesh.vertices().get(usize::from(*corner)).copied().unwrap_or_default();
@@ -88,7 +103,16 @@ fn middle(mesh: &FaceSet<'_>, face: usize) -> [i16; 3] {
             *sum += i32::from(coordinate);
         }
     }
-    middle.map(|sum| (sum / 3) as i16)
+    middle.map(|sum| sum / 3)
+}
+
+impl<C: ChannelColor, L> FlatLitSkin<'_, C, L> {
+    /// The word of a face under a light.
+    #[inline]
+    fn lit_face(&self, face: usize, light: ReflectedLight) -> Option<C::Word> {
+        let color = self.colors.get(face).or(self.colors.last())?;
+        Some(lit::<C::Layout>(color.to_word(), light))
+    }
 }
 
 /// A word under a light: its levels multiplied by the diffuse part and rounded to the nearest, and the highlight added.

@@ -21,11 +21,11 @@ use core::{marker::PhantomData, num::NonZeroU64};
 use fixed::types::I16F16;
 
 use crate::{
-    geometry::{Sub4, TooSmall, quotient_nearest},
+    geometry::{TooSmall, quotient_nearest},
     mesh::FaceSet,
     shade::{BlendedColor, ChannelColor, Planes, Shading, layout::Layout, shading::perspective::Perspective},
     surface::BandColor,
-    view::{Camera, EyeTransform, Pose},
+    view::{Affine, Camera, EyeAxis, Pose},
 };
 
 /// The shading `H` in a fog.
@@ -89,8 +89,9 @@ impl Fog<'static, ()> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FogOfModel<U> {
     within: U,
+    /// How far a position of the model is along the camera's axis, in 1/4096 unit.
     #[cfg_attr(feature = "defmt", defmt(Debug2Format))]
-    transform: EyeTransform<Sub4>,
+    axis: EyeAxis,
     /// Where the fog starts, in 1/4096 unit.
     start: i32,
     /// The way from start to end in 1/4096 unit, at least one unit.
@@ -106,9 +107,9 @@ const STEP_BITS: u32 = 6;
 
 impl<U> FogOfModel<U> {
     /// How far a position of the model is beyond the start of the fog, in parts of the way to its end.
-    fn distance(&self, position: [i16; 3]) -> i16 {
-        // Below 2^31, and not farther than 64 times the way: the product is below 2^55.
-        let distance = i64::from(self.transform.apply(position).z) - i64::from(self.start);
+    fn distance(&self, position: [i32; 3]) -> i16 {
+        // Not farther than 64 times the way: the product is below 2^55.
+        let distance = self.axis.distance(position) - i64::from(self.start);
         let farthest = self.way << (15 - DISTANCE_BITS);
         let distance = distance.clamp(-farthest, farthest - 1);
         ((distance * self.per_unit) >> 40) as i16
@@ -133,7 +134,7 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
         let way = (i64::from(end) - i64::from(start)).max(1 << 12);
         FogOfModel {
             within: H::uniforms(skin, pose, camera),
-            transform: EyeTransform::new(pose, camera.pose()),
+            axis: EyeAxis::new(pose, camera.pose()),
             start,
             way,
             per_unit: quotient_nearest(
@@ -148,12 +149,42 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
         (skin, _): &Self::Skin<'_>,
         uniforms: &Self::Uniforms,
         vertex: usize,
-        position: [i16; 3],
+        position: [i32; 3],
     ) -> Self::Attributes {
         (
             H::vertex(skin, &uniforms.within, vertex, position),
             Perspective([uniforms.distance(position)]),
         )
+    }
+
+    const HAS_AFFINE_MAP: bool = {
+        assert!(!H::HAS_AFFINE_MAP, "Transformed goes around Foggy, not into it");
+        false
+    };
+
+    #[inline]
+    fn transformed_vertex(
+        (skin, _): &Self::Skin<'_>,
+        uniforms: &Self::Uniforms,
+        normals: &Affine,
+        vertex: usize,
+        position: [i32; 3],
+    ) -> Self::Attributes {
+        (
+            H::transformed_vertex(skin, &uniforms.within, normals, vertex, position),
+            Perspective([uniforms.distance(position)]),
+        )
+    }
+
+    #[inline]
+    fn transformed_face(
+        (skin, _): &Self::Skin<'_>,
+        uniforms: &Self::Uniforms,
+        maps: [&Affine; 2],
+        mesh: &FaceSet<'_>,
+        face: usize,
+    ) -> Option<<Self::Color as BandColor>::Word> {
+        H::transformed_face(skin, &uniforms.within, maps, mesh, face)
     }
 
     #[inline]

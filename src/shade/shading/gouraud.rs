@@ -12,7 +12,7 @@ use core::marker::PhantomData;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{FaceSet, unit_normal},
+    mesh::{FaceSet, normal, unit_normal},
     shade::{
         ChannelColor, Shading,
         layout::{Channel, Channels, Layout},
@@ -21,7 +21,7 @@ use crate::{
             lighting::{FULL, LIGHT_BITS, Lighting, ReflectedLight},
         },
     },
-    view::{Camera, Pose},
+    view::{Affine, Camera, Pose},
 };
 
 /// Colours at the vertices under lights ([`Lighting`]), and evenly between them on the screen (Gouraud 1971).
@@ -66,20 +66,41 @@ impl<C: ChannelColor, L: Lighting> Shading for Gouraud<C, L> {
     }
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i16; 3]) -> [i16; 3] {
-        let color = skin.colors.get(vertex).or(skin.colors.last());
-        let normal = if L::NEEDS_NORMALS {
-            unit_normal(skin.normals.get(vertex).copied().unwrap_or_default())
-        } else {
-            [0; 3]
-        };
-        let word = color.map_or(C::Layout::narrow(0), |color| color.to_word());
-        levels::<C::Layout>(C::Layout::split(word), L::reflected(lights, normal, position))
+    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i32; 3]) -> [i16; 3] {
+        skin.lit_vertex(vertex, |bytes| L::reflected(lights, unit_normal(bytes), position))
+    }
+
+    #[inline]
+    fn transformed_vertex(
+        skin: &Self::Skin<'_>,
+        lights: &L::OfModel,
+        normals: &Affine,
+        vertex: usize,
+        position: [i32; 3],
+    ) -> [i16; 3] {
+        skin.lit_vertex(vertex, |bytes| {
+            L::reflected(lights, normals.unit_vector(normal(bytes)), position)
+        })
     }
 
     #[inline(always)]
     fn fragment(_: &Self::Skin<'_>, _: C::Word, [low, middle, high]: &[i32; 3]) -> Option<C::Word> {
         Some(word_of::<C>([*low, *middle, *high]))
+    }
+}
+
+impl<C: ChannelColor, L: Lighting> GouraudSkin<'_, C, L> {
+    /// The channels of a vertex, for the light on the two bytes of a normal.
+    #[inline(always)]
+    fn lit_vertex(&self, vertex: usize, light: impl FnOnce([i8; 2]) -> ReflectedLight) -> [i16; 3] {
+        let color = self.colors.get(vertex).or(self.colors.last());
+        let normal = if L::NEEDS_NORMALS {
+            self.normals.get(vertex).copied().unwrap_or_default()
+        } else {
+            [0; 2]
+        };
+        let word = color.map_or(C::Layout::narrow(0), |color| color.to_word());
+        levels::<C::Layout>(C::Layout::split(word), light(normal))
     }
 }
 

@@ -117,7 +117,7 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Lambert<LIGHTS, POIN
 
     /// The light on a surface, within 8 units of the exact light, and 4 more for each light from a point.
     #[inline(always)]
-    fn reflected(lights: &ModelLights<LIGHTS, POINTS>, normal: [i32; 3], position: [i16; 3]) -> ReflectedLight {
+    fn reflected(lights: &ModelLights<LIGHTS, POINTS>, normal: [i32; 3], position: [i32; 3]) -> ReflectedLight {
         let [x, y, z] = normal;
         let mut sum = lights.ambient;
         for [light_x, light_y, light_z] in &lights.towards {

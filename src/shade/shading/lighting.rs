@@ -19,7 +19,7 @@ pub trait Lighting: Copy + Debug + 'static {
 
     /// The light that the surface at a position of a model reflects, from its normal of length 1 with 14 fractional bits. Called once a
     /// vertex and frame, or once a face and frame.
-    fn reflected(lights: &Self::OfModel, normal: [i32; 3], position: [i16; 3]) -> ReflectedLight;
+    fn reflected(lights: &Self::OfModel, normal: [i32; 3], position: [i32; 3]) -> ReflectedLight;
 }
 
 /// Light that a surface reflects, in units of 1/32,768: from 0 to 32,768.

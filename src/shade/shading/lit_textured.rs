@@ -8,7 +8,7 @@ use core::{fmt, marker::PhantomData};
 
 use crate::{
     geometry::TooSmall,
-    mesh::{FaceSet, unit_normal},
+    mesh::{FaceSet, normal, unit_normal},
     shade::{
         BlendedColor, ChannelColor, Sampler, Shading, Texture,
         layout::Layout,
@@ -21,7 +21,7 @@ use crate::{
         texture::{ImageOf, tolerance},
     },
     surface::BandColor,
-    view::{Camera, Pose},
+    view::{Affine, Camera, Pose},
 };
 
 /// A picture on each face, of a [`Texture`] or of what a [`Sampler`] makes of one, under lights ([`Lighting`]).
@@ -98,13 +98,21 @@ impl<T: Sampler<Texture: Texture<Color: ChannelColor>>, L: Lighting> Shading for
     }
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i16; 3]) -> Perspective<3> {
-        let [u, v] = skin.coordinates.get(vertex).copied().unwrap_or_default();
-        let normal = unit_normal(skin.normals.get(vertex).copied().unwrap_or_default());
-        let ReflectedLight { diffuse, specular } = L::reflected(lights, normal, position);
-        let light = ((diffuse + specular).min(FULL) * BRIGHTEST) >> (LIGHT_BITS - LIGHT_FRACTION_BITS);
-        // Half a step above, to be rounded to the nearest.
-        Perspective([u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16])
+    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i32; 3]) -> Perspective<3> {
+        skin.lit_vertex(vertex, |bytes| L::reflected(lights, unit_normal(bytes), position))
+    }
+
+    #[inline]
+    fn transformed_vertex(
+        skin: &Self::Skin<'_>,
+        lights: &L::OfModel,
+        normals: &Affine,
+        vertex: usize,
+        position: [i32; 3],
+    ) -> Perspective<3> {
+        skin.lit_vertex(vertex, |bytes| {
+            L::reflected(lights, normals.unit_vector(normal(bytes)), position)
+        })
     }
 
     #[inline(always)]
@@ -121,6 +129,18 @@ impl<T: Sampler<Texture: Texture<Color: ChannelColor>>, L: Lighting> Shading for
             texel,
             light + (light >> (FACTOR_BITS - 1)),
         ))
+    }
+}
+
+impl<T: Sampler, L> LitTexturedSkin<'_, T, L> {
+    /// What varies from a vertex on, for the light on the two bytes of a normal.
+    #[inline(always)]
+    fn lit_vertex(&self, vertex: usize, light: impl FnOnce([i8; 2]) -> ReflectedLight) -> Perspective<3> {
+        let [u, v] = self.coordinates.get(vertex).copied().unwrap_or_default();
+        let ReflectedLight { diffuse, specular } = light(self.normals.get(vertex).copied().unwrap_or_default());
+        let light = ((diffuse + specular).min(FULL) * BRIGHTEST) >> (LIGHT_BITS - LIGHT_FRACTION_BITS);
+        // Half a step above, to be rounded to the nearest.
+        Perspective([u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16])
     }
 }
 

@@ -18,6 +18,7 @@ mod lit_textured;
 mod perspective;
 mod point_light;
 mod textured;
+mod transformed;
 
 pub use attributes::Attributes;
 pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
@@ -32,12 +33,13 @@ pub use lit_textured::{LitTextured, LitTexturedSkin};
 pub use perspective::Perspective;
 pub use point_light::PointLight;
 pub use textured::{Textured, TexturedSkin};
+pub use transformed::Transformed;
 
 use crate::{
     geometry::TooSmall,
     mesh::FaceSet,
     surface::{BandColor, PixelWord},
-    view::{Camera, Pose},
+    view::{Affine, Camera, Pose},
 };
 
 /// How the faces of a model get their colours. Every colour is the plainest shading: one colour a face.
@@ -69,8 +71,8 @@ use crate::{
 ///
 ///     fn uniforms(_: &(), _: &Pose, _: &Camera) {}
 ///
-///     fn vertex(_: &(), _: &(), _: usize, [_, _, z]: [i16; 3]) -> [i16; 1] {
-///         [(128 - z / 8).clamp(0, 255)]
+///     fn vertex(_: &(), _: &(), _: usize, [_, _, z]: [i32; 3]) -> [i16; 1] {
+///         [(128 - z / 8).clamp(0, 255) as i16]
 ///     }
 ///
 ///     fn fragment(_: &(), _: u8, [level]: &[i32; 1]) -> Option<u8> {
@@ -120,7 +122,7 @@ pub trait Shading: 'static {
     fn uniforms(skin: &Self::Skin<'_>, pose: &Pose, camera: &Camera) -> Self::Uniforms;
 
     /// The attributes of a vertex of the mesh: its index, and its position in the mesh. Called once a vertex and frame.
-    fn vertex(skin: &Self::Skin<'_>, uniforms: &Self::Uniforms, vertex: usize, position: [i16; 3]) -> Self::Attributes;
+    fn vertex(skin: &Self::Skin<'_>, uniforms: &Self::Uniforms, vertex: usize, position: [i32; 3]) -> Self::Attributes;
 
     /// The word of a face of the mesh, before anything varies over it. `None` for a face that is not drawn. Called when
     /// rows reach the face.
@@ -142,6 +144,42 @@ pub trait Shading: 'static {
         face: <Self::Color as BandColor>::Word,
         attributes: &<Self::Attributes as Planes>::Values,
     ) -> Option<<Self::Color as BandColor>::Word>;
+
+    /// Whether models have an [affine map](Self::affine) before their poses, as [`Transformed`] ones do. Where they have none, nothing
+    /// is linked for it.
+    const HAS_AFFINE_MAP: bool = false;
+
+    /// The affine map of a model, which takes its vertices to where its pose then moves them. Called a few times a model and frame, and
+    /// once a face.
+    fn affine<'s>(_: &'s Self::Skin<'_>) -> &'s Affine {
+        &Affine::IDENTITY
+    }
+
+    /// The attributes of a vertex of a [`Transformed`] model, and its position as the map has it. A shading with normals takes them
+    /// through the matrix of `normals` ([`Affine::normals`]); any other one has the attributes that it has without a map.
+    #[inline]
+    fn transformed_vertex(
+        skin: &Self::Skin<'_>,
+        uniforms: &Self::Uniforms,
+        _normals: &Affine,
+        vertex: usize,
+        position: [i32; 3],
+    ) -> Self::Attributes {
+        Self::vertex(skin, uniforms, vertex, position)
+    }
+
+    /// The word of a face of a [`Transformed`] model, whose maps of positions and of normals ([`Affine::normals`]) are there. A shading
+    /// with normals takes them through the matrix of the latter; any other one has the word that it has without a map.
+    #[inline]
+    fn transformed_face(
+        skin: &Self::Skin<'_>,
+        uniforms: &Self::Uniforms,
+        _maps: [&Affine; 2],
+        mesh: &FaceSet<'_>,
+        face: usize,
+    ) -> Option<<Self::Color as BandColor>::Word> {
+        Self::face(skin, uniforms, mesh, face)
+    }
 }
 
 /// The colours of the fragments along a span, from left to right.

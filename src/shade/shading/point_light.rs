@@ -43,7 +43,7 @@ pub(super) const POSITION_BITS: u32 = 4;
 impl ModelPoint {
     /// The light on a surface, in units of 1/32,768.
     #[inline(never)]
-    pub(super) fn on(&self, [x, y, z]: [i32; 3], position: [i16; 3]) -> i32 {
+    pub(super) fn on(&self, [x, y, z]: [i32; 3], position: [i32; 3]) -> i32 {
         let way = Way::new(self.way(position));
         let [to_x, to_y, to_z] = way.direction;
         // Vectors below 2^14 and 2^14.8 long.
@@ -53,11 +53,11 @@ impl ModelPoint {
         ((cosine * self.brightness(&way)) >> 14) as i32
     }
 
-    /// The way from a position of the model to the light, in 1/16 of the vertices' unit: below 2^24.
-    pub(super) fn way(&self, position: [i16; 3]) -> [i32; 3] {
+    /// The way from a position of the model to the light, in 1/16 of the vertices' unit: below 2^29.
+    pub(super) fn way(&self, position: [i32; 3]) -> [i32; 3] {
         let mut way = self.position;
         for (way, coordinate) in way.iter_mut().zip(position) {
-            *way -= i32::from(coordinate) << POSITION_BITS;
+            *way -= coordinate << POSITION_BITS;
         }
         way
     }

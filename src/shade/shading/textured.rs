@@ -72,7 +72,7 @@ impl<T: Sampler> Shading for Textured<T> {
     fn uniforms(_: &Self::Skin<'_>, _: &Pose, _: &Camera) {}
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, _: [i16; 3]) -> Perspective<2> {
+    fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, _: [i32; 3]) -> Perspective<2> {
         Perspective(skin.coordinates.get(vertex).copied().unwrap_or_default())
     }
 

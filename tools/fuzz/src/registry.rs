@@ -22,6 +22,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<surface::WordsCase>("surface.words", &["band"]),
     Target::new::<surface::SpansCase>("surface.spans", &["band"]),
     Target::new::<view::RotationCase>("view.rotation", &["scene"]),
+    Target::new::<view::AffineCase>("view.affine", &["scene"]),
     Target::new::<view::CameraCase>("view.camera", &["scene"]),
     Target::new::<view::StorageCase>("view.storage", &["scene"]),
     Target::new::<mesh::FaceSetCase>("mesh.face_set", &["scene"]),

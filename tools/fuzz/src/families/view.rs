@@ -4,12 +4,18 @@ use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::{
     geometry::{Point, Size},
+    pixelcolor::Gray8,
     primitives::Rectangle,
 };
-use fixed::types::{I2F30, I16F16, U0F16};
+use fixed::types::{I2F30, I8F24, I16F16, U0F16};
 use zrow::{
+    band::Band,
     geometry::{InputError, Sub4, Sub8, Window},
-    scene::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    scene::{
+        Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Look, Memory, Model, Orthographic, Pose, Rotation,
+        ScreenPrecision,
+    },
+    shade::{DirectionalLight, FlatLit, FlatLitSkin, Lambert, Transformed},
 };
 
 use crate::{
@@ -95,6 +101,91 @@ impl Case for RotationCase {
     }
 }
 
+/// Affine maps one after the other, and a model that they put before a camera.
+#[derive(Debug, Arbitrary)]
+pub struct AffineCase {
+    maps: List<([[Int; 3]; 3], [Int; 3], Number<u8>), 4>,
+    turn: Turn,
+    position: [Int; 3],
+    vertices: [[Number<i16>; 3]; 4],
+    normal: [u8; 2],
+}
+
+impl AffineCase {
+    /// The maps, one after the other as far as they fit.
+    fn map(&self) -> Affine {
+        let maps = self.maps.0.iter().map(|(matrix, translation, shift)| Affine {
+            matrix: matrix.map(|row| row.map(|part| I8F24::from_bits(part.0 >> (shift.0 % 12)))),
+            translation: translation.map(|part| I16F16::from_bits(part.0 >> (shift.0 % 16))),
+        });
+        maps.fold(Affine::IDENTITY, |map, next| map.then(&next).unwrap_or(map))
+    }
+
+    /// Prepares and draws a model in a look; its pixels are in the middle of the words.
+    fn check_in<L: Look<Color = Gray8, Shading = Transformed<FlatLit<Gray8>>>>(&self, map: Affine) -> Verdict {
+        let vertices = self.vertices.map(|vertex| vertex.map(|part| part.0));
+        let mesh = FaceSet::new(&vertices, &[[0, 1, 2], [0, 2, 1], [1, 2, 3], [3, 2, 1]])?;
+        let normals = [self.normal.map(|byte| byte as i8); 4];
+        let light = DirectionalLight::from_direction([1, -2, -3].map(I16F16::from_num::<i32>), U0F16::MAX)?;
+        let lights = Lambert {
+            ambient: U0F16::from_bits(100),
+            lights: [light],
+            points: [],
+        };
+        let skin = FlatLitSkin {
+            colors: &[Gray8::new(255)],
+            normals: &normals,
+            lights,
+        };
+        let model = Model::<L::Shading>::with_skin(mesh, (skin, map))?;
+        let position = self.position.map(|coordinate| I16F16::from_bits(coordinate.0));
+        let models = [model.with_pose(Pose::new(self.turn.get(), position))];
+        let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(24, 16)), I16F16::from_num(8))?
+            .with_far(I16F16::from_num(20_000))?;
+        let mut memory = Memory::<L, 120, 4, 24, 16, 4>::new();
+        let mut prepared = match memory.prepare(&camera, &models) {
+            Ok(prepared) => prepared,
+            Err(error) => {
+                ensure!(
+                    error == InputError::ModelOutOfDomain { model: 0 },
+                    "{error}, which is new"
+                );
+                return Ok(());
+            }
+        };
+        let mut words = [0; 24 * 16];
+        prepared.draw(&mut Band::<Gray8>::new(camera.viewport().to_rectangle(), &mut words)?);
+        // One normal, one light.
+        let drawn: Vec<_> = words.iter().filter(|&&word| word != 0).collect();
+        ensure!(drawn.windows(2).all(|pair| pair[0] == pair[1]), "{words:?}");
+        Ok(())
+    }
+}
+
+impl Case for AffineCase {
+    fn check(&self) -> Verdict {
+        let map = self.map();
+        if let Ok(inverse) = map.inverse() {
+            ensure!(inverse != Affine::scaled([I8F24::ZERO; 3]), "of {map:?}");
+            let _ = inverse.inverse();
+        }
+        let greatest = map
+            .normals()
+            .matrix
+            .into_iter()
+            .flatten()
+            .map(I8F24::unsigned_abs)
+            .max();
+        ensure!(
+            greatest.is_some_and(|part| part == 0 || (32..=64).contains(&part.to_num::<u8>())),
+            "{map:?}"
+        );
+        self.check_in::<Transformed<FlatLit<Gray8>>>(map)?;
+        self.check_in::<Orthographic<Transformed<FlatLit<Gray8>>>>(map)?;
+        self.check_in::<Fine<Deep<Transformed<FlatLit<Gray8>>>>>(map)
+    }
+}
+
 /// A camera of any numbers.
 #[derive(Debug, Arbitrary)]
 pub struct CameraCase {
@@ -103,11 +194,58 @@ pub struct CameraCase {
     near: Int,
     focal_length: Option<Int>,
     distances: [Int; 2],
+    centre: [Int; 2],
+    far: Int,
+    scale: Int,
     pose: Turn,
     position: [Int; 3],
 }
 
 impl CameraCase {
+    /// The camera with another centre, far plane and scale, as far as they are in their domains.
+    fn refined(&self, camera: Camera) -> Result<Camera, anyhow::Error> {
+        let centre = self.centre.map(|coordinate| I16F16::from_bits(coordinate.0));
+        let camera = match camera.with_centre(centre) {
+            Ok(camera) => camera,
+            Err(error) => {
+                let corner = [camera.viewport().left, camera.viewport().top];
+                let pixels = corner
+                    .into_iter()
+                    .zip(centre)
+                    .map(|(corner, centre)| corner + (centre.to_bits() >> 16));
+                let is_inside = pixels.into_iter().all(|pixel| (-8_191..=8_191).contains(&pixel));
+                ensure!(!is_inside, "{error} for {centre:?} of {camera:?}");
+                camera
+            }
+        };
+        let far = I16F16::from_bits(self.far.0);
+        let camera = match camera.with_far(far) {
+            Ok(camera) => camera,
+            Err(error) => {
+                ensure!(
+                    error == InputError::FarTooClose && far <= camera.near(),
+                    "{error} for {far}"
+                );
+                camera
+            }
+        };
+        match camera.with_scale(I8F24::from_bits(self.scale.0)) {
+            Ok(camera) => Ok(camera),
+            Err(error) => {
+                ensure!(self.scale.0 <= 0, "{error} for a scale of {}", self.scale.0);
+                Ok(camera)
+            }
+        }
+    }
+
+    /// Depths of parallel rays fall from the near to the far plane.
+    fn check_parallel<L: Look>(&self, camera: &Camera) -> Verdict {
+        let [one, other] = self.distances.map(|distance| I16F16::from_bits(distance.0));
+        let depths = [one.min(other), one.max(other)].map(|distance| Orthographic::<L>::depth_at(camera, distance));
+        ensure!(depths[0] >= depths[1] && depths[1] > L::Depth::FARTHEST, "{depths:?}");
+        Ok(())
+    }
+
     fn check_at<S: ScreenPrecision, D: DepthWidth>(&self, camera: &Camera) -> Verdict {
         let [one, other] = self.distances.map(|distance| I16F16::from_bits(distance.0));
         let (nearer, farther) = (one.min(other), one.max(other));
@@ -173,6 +311,9 @@ impl Case for CameraCase {
             camera.viewport() == Window::from(viewport),
             "{camera:?} of {viewport:?}"
         );
+        let camera = self.refined(camera)?;
+        self.check_parallel::<Gray8>(&camera)?;
+        self.check_parallel::<Fine<Deep<Gray8>>>(&camera)?;
         self.check_at::<Sub4, u16>(&camera)?;
         self.check_at::<Sub4, u32>(&camera)?;
         self.check_at::<Sub8, u16>(&camera)?;

@@ -9,10 +9,10 @@ use zrow::{
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{
-        Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Prepared, SceneItem, ScreenPrecision,
-        Whole,
+        Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Orthographic, Prepared, SceneItem,
+        ScreenPrecision, Whole,
     },
-    shade::{FlatLit, Gouraud, Lambert, LitTextured, Shading, Texels, Textured},
+    shade::{FlatLit, Gouraud, Lambert, LitTextured, Shading, Texels, Textured, Transformed},
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
@@ -40,6 +40,14 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>,
     shaded::<EvenStripes>,
     shaded::<Stripes>,
+    shaded::<Transformed<Gouraud<Rgb565>>>,
+    look::<Transformed<Rgb565>>,
+    look::<Whole<Fine<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>>,
+    look::<Deep<Transformed<FlatLit<Gray4>>>>,
+    look::<Orthographic<Rgb565>>,
+    look::<Whole<Orthographic<Deep<Gouraud<Rgb565>>>>>,
+    look::<Orthographic<Fine<LitTextured<Texels<Rgb565, 64, 64>>>>>,
+    orthographic_depths,
     model,
     scene_item::<LookOf<Rgb565, Sub4, u16, true>>,
     scene_item::<LookOf<Gray4, Sub8, u32, true>>,
@@ -76,6 +84,12 @@ fn look<L: Look>() {
     keep(Prepared::<L>::active_needed(any()));
     keep(Prepared::<L>::vertices_needed(any()));
     keep_all(Prepared::<L>::faces(any()));
+}
+
+#[inline(never)]
+fn orthographic_depths() {
+    keep(Orthographic::<Rgb565>::depth_at(any(), any()));
+    keep(Orthographic::<Fine<Deep<Rgb565>>>::depth_at(any(), any()));
 }
 
 /// A shading, whose faces are cut or not, at each precision and width of depths, in passes and not.

@@ -9,7 +9,7 @@ use zrow::{
     shade::{
         Attributes, BlendTarget, ChannelColor, ConeFilter, DirectionalLight, FlatLit, FlatLitSkin, Gouraud,
         GouraudSkin, Lambert, LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective,
-        RadialGradient, Ramp, SampleFilter, SampleTarget, Shading, Texels, Textured, TexturedSkin,
+        RadialGradient, Ramp, SampleFilter, SampleTarget, Shading, Texels, Textured, TexturedSkin, Transformed,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
@@ -70,6 +70,11 @@ pub const EXERCISES: &[fn()] = &[
     shading::<LitTextured<Texels<Rgb565, 64, 64>>>,
     shading::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<16>>>,
     shading::<Stripes>,
+    shading::<Transformed<Rgb565>>,
+    shading::<Transformed<FlatLit<Rgb888, Lambert<4>>>>,
+    shading::<Transformed<Gouraud<Rgb565>>>,
+    shading::<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>,
+    shading::<Transformed<Stripes>>,
 ];
 
 #[inline(never)]
@@ -193,7 +198,10 @@ fn shading<H: Shading>() {
     keep(<H as Shading>::vertex(any(), any(), any(), any()));
     keep(<H as Shading>::face(any(), any(), any(), any()));
     keep(<H as Shading>::fragment(any(), any(), any()));
-    keep(H::TOLERANCE);
+    keep(<H as Shading>::affine(any()));
+    keep(<H as Shading>::transformed_vertex(any(), any(), any(), any(), any()));
+    keep(<H as Shading>::transformed_face(any(), any(), any(), any(), any()));
+    keep((H::TOLERANCE, H::HAS_AFFINE_MAP));
 }
 
 /// A program's own shading, in perspective.
@@ -221,7 +229,7 @@ macro_rules! own_shading {
                 any()
             }
 
-            fn vertex(_: &Self::Skin<'_>, _: &i32, _: usize, _: [i16; 3]) -> Self::Attributes {
+            fn vertex(_: &Self::Skin<'_>, _: &i32, _: usize, _: [i32; 3]) -> Self::Attributes {
                 any()
             }
 

@@ -1,12 +1,15 @@
+use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    scene::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
+    shade::Transformed,
 };
 use zrow_panics_firmware::{any, keep};
 
 use crate::foreign::eq;
 
 pub const EXERCISES: &[fn()] = &[
+    affine,
     camera,
     depth_width::<u16>,
     depth_width::<u32>,
@@ -17,12 +20,30 @@ pub const EXERCISES: &[fn()] = &[
 ];
 
 #[inline(never)]
+fn affine() {
+    keep(Affine::scaled(any()));
+    keep(Affine::then(any(), any()));
+    keep(Affine::inverse(any()));
+    keep(Affine::normals(any()));
+    keep(Affine::from(any::<Pose>()));
+    eq::<Affine>();
+}
+
+#[inline(never)]
 fn camera() {
     keep(Camera::new(any(), any()));
     keep(Camera::with_focal_length(any(), any()));
     keep(Camera::with_field_of_view(any(), any()));
     keep(Camera::look_at(any(), any(), any(), any()));
+    keep(Camera::with_scale(any(), any()));
+    keep(Camera::with_centre(any(), any()));
+    keep(Camera::with_far(any(), any()));
+    keep(Camera::near_for::<Rgb565>(any(), any()));
+    keep(Camera::near_for::<Transformed<Rgb565>>(any(), any()));
     keep(Camera::with_pose(any(), any()));
+    keep(Camera::far(any()));
+    keep(Camera::scale(any()));
+    keep(Camera::centre(any()));
     keep(Camera::pose(any()));
     keep(Camera::viewport(any()));
     keep(Camera::near(any()));
