@@ -89,9 +89,6 @@ pub enum InputError {
         /// The index of the vertex's model among the models.
         model: usize,
     },
-    /// The camera has a far plane, and the frame's look, which is in perspective, does not cut faces
-    /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)): take a camera without one. The storage can be prepared again.
-    FarPlaneUncut,
     /// A vertex is behind the far plane, and the frame's look, whose rays are parallel, does not cut faces
     /// ([`Look::CLIPS`](crate::scene::Look::CLIPS)). The storage can be prepared again.
     BehindFarPlane {
@@ -173,7 +170,6 @@ impl Display for InputError {
                 )
             }
             Self::BeforeNearPlane { model } => write_off_screen(formatter, *model, "in front of the near plane"),
-            Self::FarPlaneUncut => formatter.write_str("a far plane where no face is cut: take a camera without one"),
             Self::BehindFarPlane { model } => write_off_screen(formatter, *model, "behind the far plane"),
             Self::BeyondGuardBand { model } => write_off_screen(formatter, *model, "too far beside the viewport"),
         }

@@ -7,6 +7,7 @@ use crate::{
     scene::{
         Look, Model,
         frame::{FRAGMENT_VERTICES, corners},
+        model::outward,
         off_screen::is_outside,
     },
     shade::Shading,
@@ -68,8 +69,8 @@ fn whole<'t, 'm, L: Look>(
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
-        let face = model.outward(*model.mesh().faces().get(face)?);
-        let corners = corners(vertices.get(first_vertex..)?, &face)?;
+        let corners = corners(vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
+        let corners = outward::<L::Shading, _>(model.skin(), corners);
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }

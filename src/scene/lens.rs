@@ -46,5 +46,5 @@ pub(super) fn on_screen<L: Look>(projection: &ProjectionOf<L>, eye: EyePoint) ->
 /// Whether there is a far plane to cut at: where rays are parallel, depths end at it.
 #[inline]
 pub(super) fn has_far_plane<L: Look>(projection: &ProjectionOf<L>) -> bool {
-    L::IS_ORTHOGRAPHIC || projection.far < ProjectionOf::<L>::NO_FAR
+    L::IS_ORTHOGRAPHIC || projection.far != 0
 }

@@ -70,13 +70,6 @@ impl<'a, H: Shading> Model<'a, H> {
 }
 
 impl<H: Shading> Model<'_, H> {
-    /// A face in the order in which its corners run clockwise when it is seen from its outside: that of the mesh, or of one that a map
-    /// mirrors the other way round.
-    #[inline]
-    pub(super) fn outward(&self, face: [u16; 3]) -> [u16; 3] {
-        outward::<H>(&self.skin, face)
-    }
-
     /// Whether a map mirrors the model.
     #[inline]
     pub(super) fn is_mirrored(&self) -> bool {
@@ -89,9 +82,10 @@ fn is_mirrored<H: Shading>(skin: &H::Skin<'_>) -> bool {
     H::HAS_AFFINE_MAP && H::affine(skin).is_mirrored()
 }
 
-/// A face of a model with this skin, in the order in which its corners run clockwise when it is seen from its outside.
+/// The corners of a face of a model with this skin, in the order in which they run clockwise when it is seen from its outside: that of the
+/// mesh, or the other way round where a map mirrors it.
 #[inline]
-pub(super) fn outward<H: Shading>(skin: &H::Skin<'_>, [a, b, c]: [u16; 3]) -> [u16; 3] {
+pub(super) fn outward<H: Shading, T>(skin: &H::Skin<'_>, [a, b, c]: [T; 3]) -> [T; 3] {
     if is_mirrored::<H>(skin) { [a, c, b] } else { [a, b, c] }
 }
 

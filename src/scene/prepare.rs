@@ -2,8 +2,6 @@
 
 use core::ops::Range;
 
-use fixed::types::I16F16;
-
 use crate::{
     geometry::{InputError, TooSmall, Window, pixel_domain},
     scene::{
@@ -41,11 +39,10 @@ impl<L: Look> Frame<'_, L> {
     /// look does without ([`Look::CLIPS`]).
     ///
     /// # Errors
-    /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport or
-    /// the picture's centre is;
+    /// [`InputError::TooSmall`] with the capacity that would do, exactly; [`InputError::OutOfDomain`] where the viewport is;
     /// [`InputError::ModelOutOfDomain`] where an affine map makes a model too large;
-    /// [`InputError::BeforeNearPlane`], [`InputError::BehindFarPlane`], [`InputError::BeyondGuardBand`] and
-    /// [`InputError::FarPlaneUncut`] where faces are not cut.
+    /// [`InputError::BeforeNearPlane`], [`InputError::BehindFarPlane`] and [`InputError::BeyondGuardBand`] where faces are not
+    /// cut.
     #[inline]
     pub fn prepare<'f, 'm>(
         &'f mut self,
@@ -63,7 +60,7 @@ impl<L: Look> Frame<'_, L> {
         models: &[Model<'_, L::Shading>],
     ) -> Result<Range<usize>, InputError> {
         let viewport = camera.viewport();
-        check_viewport::<L::Precision>(camera)?;
+        check_viewport::<L::Precision>(&viewport)?;
         let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
         let faces = total(models.iter().map(|model| model.mesh().faces().len()));
         let most_vertices = self.tables.vertices.len().min(MOST_NODES);
@@ -71,9 +68,6 @@ impl<L: Look> Frame<'_, L> {
         check(self.tables.next.len().min(MOST_NODES), TooSmall::Faces(faces))?;
         check(self.depths.len(), TooSmall::Columns(viewport.width() as usize))?;
         check(self.tables.rows.len(), TooSmall::Rows(viewport.height() as usize))?;
-        if !L::CLIPS && !L::IS_ORTHOGRAPHIC && camera.far() < I16F16::MAX {
-            return Err(InputError::FarPlaneUncut);
-        }
 
         let mut preparation = Preparation {
             tables: self.tables.reborrow(),
@@ -100,11 +94,9 @@ impl<L: Look> Frame<'_, L> {
     }
 }
 
-fn check_viewport<S: ScreenPrecision>(camera: &Camera) -> Result<(), InputError> {
+fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), InputError> {
     let (min, max) = pixel_domain::<S>();
-    let (viewport, [x, y]) = (camera.viewport(), camera.centre_pixel());
-    let inside = min <= viewport.left.min(viewport.top).min(x.min(y))
-        && viewport.right.max(viewport.bottom).max(x.max(y)) <= max;
+    let inside = min <= viewport.left.min(viewport.top) && viewport.right.max(viewport.bottom) <= max;
     if inside {
         Ok(())
     } else {

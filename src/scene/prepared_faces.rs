@@ -168,8 +168,8 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
         let uniforms = self.uniforms(model, u32::from(self.order(node)) - face as u32);
         let word = L::Shading::face(model.skin(), &uniforms, model.mesh(), face)?;
         let corners = if is_whole::<L>(node) {
-            let face = model.outward(*model.mesh().faces().get(face)?);
-            corners(self.vertices.get(first_vertex..)?, &face)
+            let corners = corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?);
+            corners.map(|corners| outward::<L::Shading, _>(model.skin(), corners))
         } else {
             self.fragment(node)
         };
@@ -240,8 +240,7 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         let face = self.first_faces.get(usize::from(node))?;
         let (skin, uniforms) = self.first_skin.as_ref()?;
         let word = L::Shading::face(skin, uniforms, self.models.first()?.mesh(), usize::from(node))?;
-        let face = outward::<L::Shading>(skin, *face);
-        Some((corners(self.vertices, &face)?, word))
+        Some((outward::<L::Shading, _>(skin, corners(self.vertices, face)?), word))
     }
 
     #[inline]
@@ -257,11 +256,14 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         let (first_vertex, [a, b, c]) = match self.first_faces.get(usize::from(node)) {
             Some(face) => {
                 let (skin, _) = self.first_skin.as_ref()?;
-                (0, outward::<L::Shading>(skin, *face))
+                (0, outward::<L::Shading, _>(skin, *face))
             }
             None => {
                 let (model, first_vertex, face) = faces::find(self.models, node)?;
-                (first_vertex, model.outward(*model.mesh().faces().get(face)?))
+                (
+                    first_vertex,
+                    outward::<L::Shading, _>(model.skin(), *model.mesh().faces().get(face)?),
+                )
             }
         };
         let attributes = |index: u16| self.attributes.get(first_vertex + usize::from(index)).copied();

@@ -6,7 +6,7 @@ use embedded_graphics::primitives::Rectangle;
 use fixed::types::{I8F24, I16F16, U0F16};
 
 use crate::{
-    geometry::{InputError, Sub8, Window, pixel_domain},
+    geometry::{InputError, Sub4, Window, pixel_domain},
     view::{
         Pose, Rotation,
         sine::{cosine, sine},
@@ -25,9 +25,12 @@ use crate::{
 pub struct Camera {
     viewport: Window,
     near: I16F16,
+    /// 0 where there is none.
     far: I16F16,
     focal_length: I16F16,
-    centre: [I16F16; 2],
+    /// From the middle of the viewport to the point that the camera looks at.
+    offset: [I16F16; 2],
+    /// 0 for one pixel a unit.
     scale: I8F24,
     pose: Pose,
 }
@@ -52,18 +55,18 @@ impl Camera {
         if viewport.is_empty() || !corners.iter().all(|corner| domain.contains(corner)) {
             return Err(InputError::ViewportOutOfDomain);
         }
-        // Below 16,383 pixels, so half of it fits; the greatest focal length still bounds it.
-        let half = |pixels: u32| I16F16::from_bits((pixels as i32) << 15);
+        // Below 16,383 pixels wide, so half of it fits; the greatest focal length still bounds it.
+        let half_width = I16F16::from_bits((viewport.width() as i32) << 15);
         Self {
             viewport,
             near,
-            far: I16F16::MAX,
+            far: I16F16::ZERO,
             focal_length: I16F16::ONE,
-            centre: [half(viewport.width()), half(viewport.height())],
-            scale: I8F24::ONE,
+            offset: [I16F16::ZERO; 2],
+            scale: I8F24::ZERO,
             pose: Pose::IDENTITY,
         }
-        .with_focal_length(half(viewport.width()).max(LEAST_FOCAL_LENGTH))
+        .with_focal_length(half_width.max(LEAST_FOCAL_LENGTH))
     }
 
     /// The camera with another focal length, in pixels: the size of an object at a distance of its own size.
@@ -123,20 +126,37 @@ impl Camera {
     /// ```
     ///
     /// # Errors
-    /// [`InputError::OutOfDomain`] for a point that is not within -8191 to 8191 pixels of the display.
+    /// [`InputError::OutOfDomain`] for a point that is neither inside the viewport nor within -1024 to 1023 pixels of the display, so that
+    /// each precision has a place for it.
     pub fn with_centre(self, centre: [I16F16; 2]) -> Result<Self, InputError> {
-        let camera = Self { centre, ..self };
-        let (min, max) = pixel_domain::<Sub8>();
-        if camera.centre_pixel().iter().all(|pixel| (min..=max).contains(pixel)) {
-            Ok(camera)
-        } else {
-            Err(InputError::out_of_domain::<Sub8>())
+        let Window {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.viewport;
+        let ([x, y], [middle_x, middle_y]) = (centre, self.middle());
+        let (min, max) = pixel_domain::<Sub4>();
+        let fits = |start: i32, end: i32, from_start: I16F16| {
+            let pixel = start + (from_start.to_bits() >> 16);
+            (start..end).contains(&pixel) || (min..=max).contains(&pixel)
+        };
+        if !fits(left, right, x) || !fits(top, bottom, y) {
+            return Err(InputError::out_of_domain::<Sub4>());
         }
+        // Within 9,215 pixels of the viewport's corner, and the middle within 8,191.
+        let offset = [x - middle_x, y - middle_y];
+        Ok(Self { offset, ..self })
+    }
+
+    /// The middle of the viewport from its top left corner. Below 16,383 pixels, so half of it fits.
+    fn middle(&self) -> [I16F16; 2] {
+        [self.viewport.width(), self.viewport.height()].map(|pixels| I16F16::from_bits((pixels as i32) << 15))
     }
 
     /// The camera with a far plane: what is farther away than `far` units is not drawn, and faces that cross the plane are cut there. A
-    /// look without cut faces ([`Look::CLIPS`](crate::scene::Look::CLIPS)) refuses a far plane, or, where its rays are parallel, a vertex
-    /// behind it.
+    /// look without cut faces ([`Look::CLIPS`](crate::scene::Look::CLIPS)) keeps all faces whole, also those behind the plane; where its
+    /// rays are parallel, a vertex behind it is an error.
     ///
     /// Without one there is no limit. In perspective it changes no stored depth: those reach to infinity, and each vertex is
     /// transformed once more for it. Without perspective depths reach from the near to the far plane, or 32,768 units where there is
@@ -159,7 +179,12 @@ impl Camera {
         if near < LEAST_NEAR {
             return Err(InputError::NearTooClose);
         }
-        Self { near, ..self }.with_far(self.far)
+        let camera = Self { near, ..self };
+        if near < camera.far() {
+            Ok(camera)
+        } else {
+            Err(InputError::FarTooClose)
+        }
     }
 
     /// The camera at a position of the world, looking at another one, with `up`, a direction of any length, up in the picture.
@@ -209,23 +234,37 @@ impl Camera {
 
     /// Distance of the far plane; the greatest number where there is none.
     pub const fn far(&self) -> I16F16 {
+        if self.has_far_plane() { self.far } else { I16F16::MAX }
+    }
+
+    /// Whether there is a far plane.
+    const fn has_far_plane(&self) -> bool {
+        self.far.to_bits() != 0
+    }
+
+    /// Distance of the far plane; 0 where there is none.
+    pub(crate) const fn far_or_zero(&self) -> I16F16 {
         self.far
     }
 
     /// Pixels for a unit where rays are parallel.
     pub const fn scale(&self) -> I8F24 {
-        self.scale
+        if self.scale.to_bits() == 0 {
+            I8F24::ONE
+        } else {
+            self.scale
+        }
     }
 
     /// The point of the picture that the camera looks at, from the viewport's top left corner.
-    pub const fn centre(&self) -> [I16F16; 2] {
-        self.centre
+    pub fn centre(&self) -> [I16F16; 2] {
+        let ([x, y], [offset_x, offset_y]) = (self.middle(), self.offset);
+        [x + offset_x, y + offset_y]
     }
 
-    /// The pixel that the point which the camera looks at is in.
-    pub(crate) fn centre_pixel(&self) -> [i32; 2] {
-        let [x, y] = self.centre.map(|coordinate| coordinate.to_bits() >> 16);
-        [self.viewport.left + x, self.viewport.top + y]
+    /// From the middle of the viewport to the point that the camera looks at.
+    pub(crate) const fn offset(&self) -> [I16F16; 2] {
+        self.offset
     }
 
     /// Focal length in pixels.

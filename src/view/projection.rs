@@ -76,8 +76,6 @@ pub(crate) struct WideVertex {
 pub(crate) struct Projection<S, D> {
     /// Near plane in 1/4096 unit.
     pub(crate) near: i32,
-    /// Far plane in 1/4096 unit; [`NO_FAR`](Self::NO_FAR) where there is none, though coordinates are greater.
-    pub(crate) far: i32,
     /// The near plane's distance as 16 bits and a shift. Where rays are parallel, only the shift: that of the way to the far plane.
     near_mantissa: u32,
     pub(super) depth_exponent: u32,
@@ -90,23 +88,27 @@ pub(crate) struct Projection<S, D> {
     rounded_center_y: i32,
     /// The greatest x/z and y/z in size that stay inside the guard band, taken to its nearest side.
     greatest_ratio: u32,
+    /// Far plane in 1/4096 unit; 0 where there is none. After what each vertex takes, which is loaded together.
+    pub(crate) far: i32,
     formats: core::marker::PhantomData<(S, D)>,
 }
 
 /// The centre of the picture in units of a precision, minus the half pixel from u to x, rounded to the nearest: below 2^14 times 2^8.
+#[inline]
 pub(super) fn center<S: ScreenPrecision>(camera: &Camera) -> [i32; 2] {
-    let half = 1 << (15 - S::FRACTION_BITS);
-    let units = |start: i32, from_start: I16F16| {
-        (start << S::FRACTION_BITS) + ((from_start.to_bits() - (1 << 15) + half) >> (16 - S::FRACTION_BITS))
+    let half_unit = 1 << (S::FRACTION_BITS - 1);
+    let (viewport, [x, y]) = (camera.viewport(), camera.offset());
+    // Twice the middle of the viewport, minus a pixel; below 2^15 times 2^8.
+    let units = |start: i32, end: i32, offset: I16F16| {
+        (start + end - 1) * half_unit + ((offset.to_bits() + (1 << (15 - S::FRACTION_BITS))) >> (16 - S::FRACTION_BITS))
     };
-    let (viewport, [x, y]) = (camera.viewport(), camera.centre());
-    [units(viewport.left, x), units(viewport.top, y)]
+    [
+        units(viewport.left, viewport.right, x),
+        units(viewport.top, viewport.bottom, y),
+    ]
 }
 
 impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
-    /// The far plane of a camera that has none.
-    pub(crate) const NO_FAR: i32 = i32::MAX >> 4;
-
     /// A projection whose numbers are all 0.
     pub(super) const ZERO: Self = Self {
         near: 0,
@@ -143,7 +145,6 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         let rounded = |center: i32| center << Self::RATIO_BITS | 1 << (Self::RATIO_BITS - 1);
         Self {
             near,
-            far: camera.far().to_bits() >> 4,
             // Rounded down, so that it times a reciprocal stays below 2^32.
             near_mantissa: near as u32 >> depth_exponent,
             depth_exponent,
@@ -154,6 +155,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
             // y grows downwards, so the half is rounded the other way.
             rounded_center_y: rounded(center_y) - 1,
             greatest_ratio: greatest_ratio.min(1 << 30) as u32,
+            far: camera.far_or_zero().to_bits() >> 4,
             formats: core::marker::PhantomData,
         }
     }

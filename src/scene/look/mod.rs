@@ -79,7 +79,8 @@ pub trait Look: 'static {
     /// which reaches from the picture's centre on each side as far as the coordinates of the precision do on the nearest:
     /// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`]. Otherwise
     /// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All
-    /// pictures are those with cut faces. A camera with a far plane is refused, unless rays are parallel.
+    /// pictures are those with cut faces. But for a far plane: in
+    /// perspective faces behind it are drawn.
     const CLIPS: bool = true;
 
     /// Whether a row that more faces cross than the memory has slots for (`ACTIVE`) is drawn in as many passes as it takes: the

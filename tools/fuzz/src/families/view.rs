@@ -213,7 +213,7 @@ impl CameraCase {
                     .into_iter()
                     .zip(centre)
                     .map(|(corner, centre)| corner + (centre.to_bits() >> 16));
-                let is_inside = pixels.into_iter().all(|pixel| (-8_191..=8_191).contains(&pixel));
+                let is_inside = pixels.into_iter().all(|pixel| (-1_024..=1_023).contains(&pixel));
                 ensure!(!is_inside, "{error} for {centre:?} of {camera:?}");
                 camera
             }
