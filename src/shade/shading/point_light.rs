@@ -69,7 +69,7 @@ impl ModelPoint {
         let half = if way.shift >= 0 {
             half >> way.shift
         } else {
-            (half << (-way.shift).min(10)).min(1 << 21)
+            half.min((1 << 21) >> -way.shift) << -way.shift
         };
         let down = 17u32.saturating_sub(leading_zeros(half | way.length));
         let (half, length) = (half >> down, way.length >> down);
@@ -137,4 +137,25 @@ pub(super) fn in_model(pose: &Pose, position: &[I16F16; 3]) -> [i32; 3] {
     let [x, y, z] = to_model.turned(position);
     let [from_x, from_y, from_z] = to_model.turned(&pose.translation);
     [x - from_x, y - from_y, z - from_z].map(|bits| ((bits + (1 << 11)) >> (16 - POSITION_BITS)) as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A quarter of a unit away from a light that is half as bright at one unit: 16/17.
+    #[test]
+    fn lights_have_their_brightness_right_beside_them() {
+        let light = PointLight {
+            position: [I16F16::ZERO; 3],
+            intensity: U0F16::MAX,
+            half_distance: 1,
+        };
+        let light = ModelPoint {
+            position: [0; 3],
+            light,
+        };
+        let brightness = light.brightness(&Way::new([4, 0, 0]));
+        assert!(brightness.abs_diff(32_768 * 16 / 17) < 20, "{brightness}");
+    }
 }
