@@ -27,4 +27,5 @@ mod shading_lights;
 mod shading_looks;
 mod shading_perspective;
 mod shading_skins;
+mod textures;
 mod unclipped_faces;

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! Guarantees: fractions have 5 bits; at the centre of a texel it is the texel itself, and between two texels of one colour it is that
-//! colour. Levels are rounded down twice, so that they are at most 2 too low.
+//! colour. Levels are rounded down twice, so that they are less than 2 too low for those fractions, whose own rounding moves a level
+//! by up to 1/16 of the range of the four.
 //!
 //! Cost of a pixel: four texels and three mixed words.
 //!
