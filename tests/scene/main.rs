@@ -11,6 +11,7 @@ mod snapped_faces;
 
 mod clipped_faces;
 mod depth_row;
+mod fog;
 mod lighting;
 mod looks;
 mod number_range;
