@@ -12,6 +12,7 @@ mod snapped_faces;
 mod clipped_faces;
 mod depth_row;
 mod fog;
+mod holes;
 mod lighting;
 mod looks;
 mod number_range;
