@@ -19,7 +19,7 @@ const STEP: i32 = 16;
 
 /// An attribute of a face in space at a point: the sum of those of the corners, weighed by barycentric coordinates and
 /// depths.
-fn in_space(face: &Face, numbers: [i16; 3], [x, y]: [i128; 2]) -> f64 {
+pub fn in_space(face: &Face, numbers: [i16; 3], [x, y]: [i128; 2]) -> f64 {
     let [a, b, c] = face.corners;
     let side = |[ax, ay, _]: [i128; 3], [bx, by, _]: [i128; 3]| (bx - ax) * (y - ay) - (by - ay) * (x - ax);
     let weights = [side(b, c) * a[2], side(c, a) * b[2], side(a, b) * c[2]];
@@ -32,7 +32,7 @@ fn in_space(face: &Face, numbers: [i16; 3], [x, y]: [i128; 2]) -> f64 {
 }
 
 /// The columns of a row that a face covers, also outside the picture.
-fn span(face: &Face, row: i32, unit: i128) -> Option<[i32; 2]> {
+pub fn span(face: &Face, row: i32, unit: i128) -> Option<[i32; 2]> {
     let columns = face.corners.map(|[x, ..]| x.div_euclid(unit) as i32);
     let all = *columns.iter().min()?..columns.iter().max()? + 2;
     let mut inside = all.filter(|column| face.covers(i128::from(*column) * unit, i128::from(row) * unit));

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! Guarantees: fog has 33 steps; in front of its start each pixel keeps its colour, and behind its end it has the fog's. The depth of
-//! a pixel in the fog is within 1/64 of the way from start to end, for faces that reach no farther than 64 times that way from its
-//! start.
+//! a pixel in the fog is within 1/64 of the way from start to end, for faces that reach no farther than 63 times that way from its
+//! start, in coordinates so small that 1/32,768 of them is no distance, and with depths that differ by up to 100 times.
 //!
 //! Cost of a pixel: an addition, a look-up, and two multiplications' worth of mixing.
 //!
@@ -102,16 +102,18 @@ pub struct FogOfModel<U> {
 
 /// Fractional bits of a distance at the vertices, in parts of the way from start to end.
 const DISTANCE_BITS: u32 = 9;
+/// How many times the way from start to end a vertex may be away from the start: less than 16 bits can say by a whole way.
+const FARTHEST: i64 = 63;
 /// Bits of the number of a step of a curve.
 const STEP_BITS: u32 = 6;
 
 impl<U> FogOfModel<U> {
     /// How far a position of the model is beyond the start of the fog, in parts of the way to its end.
     fn distance(&self, position: [i32; 3]) -> i16 {
-        // Not farther than 64 times the way: the product is below 2^55.
+        // Not farther than 63 times the way: the product is below 2^55, and what is interpolated does not wrap.
         let distance = self.axis.distance(position) - i64::from(self.start);
-        let farthest = self.way << (15 - DISTANCE_BITS);
-        let distance = distance.clamp(-farthest, farthest - 1);
+        let farthest = FARTHEST * self.way;
+        let distance = distance.clamp(-farthest, farthest);
         ((distance * self.per_unit) >> 40) as i16
     }
 }

@@ -115,7 +115,8 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Lambert<LIGHTS, POIN
         }
     }
 
-    /// The light on a surface, within 8 units of the exact light, and 4 more for each light from a point.
+    /// The light on a surface, within 8 units of the exact light, and 10 more for each light from a point, which is more where the light is
+    /// near: [`PointLight`] says how much.
     #[inline(always)]
     fn reflected(lights: &ModelLights<LIGHTS, POINTS>, normal: [i32; 3], position: [i32; 3]) -> ReflectedLight {
         let [x, y, z] = normal;

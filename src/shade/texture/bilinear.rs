@@ -7,7 +7,8 @@
 //! ```
 //!
 //! Guarantees: fractions have 5 bits; at the centre of a texel it is the texel itself, and between two texels of one colour it is that
-//! colour. Levels are rounded down twice, so that they are at most 2 too low.
+//! colour. Levels are rounded down twice, so that they are less than 2 too low for those fractions, whose own rounding moves a level
+//! by up to 1/16 of the range of the four.
 //!
 //! Cost of a pixel: four texels and three mixed words.
 //!
@@ -73,8 +74,25 @@ fn mixed<C: ChannelColor>(
 /// The texel whose centre is the last one before a coordinate, and how far the coordinate is beyond it, in parts of a texel.
 #[inline(always)]
 fn texel_and_fraction(coordinate: i32, texel_bits: u32) -> (i32, u32) {
-    let bits = COORDINATE_BITS - texel_bits;
-    let from_center = coordinate.wrapping_sub(1 << (bits - 1));
-    let fraction = from_center >> (bits - FRACTION_BITS);
+    // Counted from the centre of a texel only where there is room for it, so that nothing wraps.
+    let from_edge = coordinate >> (COORDINATE_BITS - texel_bits - FRACTION_BITS);
+    let fraction = from_edge - (1 << (FRACTION_BITS - 1));
     (fraction >> FRACTION_BITS, fraction as u32 & ((1 << FRACTION_BITS) - 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::pixelcolor::Gray8;
+
+    use super::*;
+    use crate::shade::{Clamped, Texels};
+
+    /// Half a texel before the least coordinate is still beyond the left edge.
+    #[test]
+    fn the_least_coordinates_are_beyond_the_upper_left_edges() {
+        let image = &[[1, 2], [3, 4]];
+        let sample = Bilinear::<Clamped<Texels<Gray8, 2, 2>>>::sample;
+        assert_eq!(sample(&image, [i32::MIN; 2]), Some(1));
+        assert_eq!(sample(&image, [i32::MAX; 2]), Some(4));
+    }
 }
