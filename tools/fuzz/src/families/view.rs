@@ -11,7 +11,10 @@ use fixed::types::{I2F30, I8F24, I16F16, U0F16};
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, Window},
-    scene::{Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Look, Memory, Model, Pose, Rotation, ScreenPrecision},
+    scene::{
+        Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Look, Memory, Model, Orthographic, Pose, Rotation,
+        ScreenPrecision,
+    },
     shade::{DirectionalLight, FlatLit, FlatLitSkin, Lambert, Transformed},
 };
 
