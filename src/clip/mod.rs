@@ -18,6 +18,9 @@
 //! | circle | pixels | [`circle_against_window`](Visibility::circle_against_window) | many circles are off the screen, or larger than it |
 //! | rectangle | pixels | [`rectangle_against_window`](Visibility::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!
+//! In space, [`ClipMatrix`] takes vertices to homogeneous clip coordinates, and [`ClipPoint::on_screen`] divides them: the textbook's
+//! way to the screen, which scenes shorten.
+//!
 //! All clippers of segments give the same integers in an upright window.
 
 mod boolean;
@@ -25,10 +28,12 @@ pub(crate) mod convex;
 mod outcode;
 pub(crate) mod segment;
 pub(crate) mod shape;
+mod space;
 mod visibility;
 
 pub use boolean::{Clipper, Contour, Operation};
 pub use convex::ParametricSegment;
 pub(crate) use outcode::Outcode;
 pub use segment::Segments;
+pub use space::{ClipMatrix, ClipPoint};
 pub use visibility::Visibility;

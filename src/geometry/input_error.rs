@@ -64,6 +64,8 @@ pub enum InputError {
     },
     /// The near plane of a [`Camera`](crate::scene::Camera) must be at least 8 units of the vertices away: choose a finer unit.
     NearTooClose,
+    /// The far plane of a [`ClipMatrix`](crate::clip::ClipMatrix) must be at least twice as far away as the near plane of its camera.
+    FarTooClose,
     /// The viewport of a camera must have pixels, and lie within -8191 to 8191 pixels, the domain of
     /// [`Sub8`](crate::geometry::Sub8).
     ViewportOutOfDomain,
@@ -134,6 +136,9 @@ impl Display for InputError {
                 write!(formatter, "face {face} names vertex {vertex}, which is not there")
             }
             Self::NearTooClose => formatter.write_str("the near plane must be at least 8 units away"),
+            Self::FarTooClose => {
+                formatter.write_str("the far plane must be at least twice as far away as the near plane")
+            }
             Self::ViewportOutOfDomain => {
                 formatter.write_str("the viewport is empty or reaches beyond the coordinates of the precision")
             }

@@ -8,6 +8,7 @@ mod reference {
 }
 
 mod any_units;
+mod clip_matrix;
 mod convex_polygons;
 mod convex_segments;
 mod convex_windows;

@@ -1,5 +1,5 @@
 use zrow::{
-    clip::{Clipper, Contour, Operation, ParametricSegment, Visibility},
+    clip::{ClipMatrix, ClipPoint, Clipper, Contour, Operation, ParametricSegment, Visibility},
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, Window},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
@@ -17,6 +17,7 @@ pub const EXERCISES: &[fn()] = &[
     boolean_methods,
     booleans::<Sub4>,
     booleans::<Sub8>,
+    space,
 ];
 
 #[inline(never)]
@@ -81,4 +82,15 @@ fn booleans<S: SubPixel + 'static>() {
     keep_all(Contour::<S>::points(any()));
     clone::<Contour<'_, S>>();
     eq::<Operation>();
+}
+
+#[inline(never)]
+fn space() {
+    keep(ClipMatrix::new(any(), any(), any()));
+    keep(ClipMatrix::apply(any(), any()));
+    keep(ClipPoint::is_inside(any()));
+    keep(ClipPoint::on_screen::<Sub4>(any(), any()));
+    keep(ClipPoint::on_screen::<Sub8>(any(), any()));
+    eq::<ClipMatrix>();
+    eq::<ClipPoint>();
 }
