@@ -245,6 +245,28 @@ family! { $
 }
 
 family! { $
+    /// Segments in space against what a camera sees: `fn(from, to, &matrix)`.
+    space_segments, SPACE_SEGMENTS {
+        homogeneous_liang_barsky: [zrow::clip::Segments::homogeneous_liang_barsky], exact,
+            "Liang and Barsky 1984, in four dimensions", "by default";
+        homogeneous_cohen_sutherland: [zrow::clip::Segments::homogeneous_cohen_sutherland], exact,
+            "Cohen and Sutherland 1967; Blinn and Newell 1978: outcodes of six bits",
+            "where most segments are inside or on one side";
+        eye_space: [zrow::clip::Segments::eye_space], exact,
+            "Sutherland and Hodgman 1974; planes as Gribb and Hartmann 2001",
+            "to see that homogeneous clipping is clipping in space";
+    }
+}
+
+family! { $
+    /// Segments in space against a convex volume: `fn(from, to, &planes)`.
+    volume_segments, VOLUME_SEGMENTS {
+        cyrus_beck_in_space: [zrow::clip::Segments::cyrus_beck_in_space], exact,
+            "Cyrus and Beck 1978", "for planes that bound something else: a room, a portal";
+    }
+}
+
+family! { $
     /// Polygons against a convex window: `fn::<CORNERS, SIDES>(&window, polygon)`.
     convex_polygons, CONVEX_POLYGONS {
         sutherland_hodgman_2d: [zrow::geometry::ConvexWindow::sutherland_hodgman_2d], exact,
@@ -327,6 +349,8 @@ pub const FAMILIES: &[(&str, &[Algorithm])] = &[
     ("triangles", TRIANGLES),
     ("segments", SEGMENTS),
     ("convex_segments", CONVEX_SEGMENTS),
+    ("space_segments", SPACE_SEGMENTS),
+    ("volume_segments", VOLUME_SEGMENTS),
     ("convex_polygons", CONVEX_POLYGONS),
     ("shapes_in_window", SHAPES_IN_WINDOW),
     ("booleans", BOOLEANS),

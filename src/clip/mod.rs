@@ -12,6 +12,10 @@
 //! | | | [`nicholl_lee_nicholl`](Segments::nicholl_lee_nicholl) | to see how areas of the plane decide |
 //! | | | [`midpoint_subdivision`](Segments::midpoint_subdivision) | nothing multiplies or divides |
 //! | | convex window | [`cyrus_beck`](Segments::cyrus_beck) | the window is not upright, or there are several |
+//! | segment in space | what a camera sees | [`homogeneous_liang_barsky`](Segments::homogeneous_liang_barsky) | by default |
+//! | | | [`homogeneous_cohen_sutherland`](Segments::homogeneous_cohen_sutherland) | most segments are inside or on one side |
+//! | | | [`eye_space`](Segments::eye_space) | to see that homogeneous clipping is clipping in space |
+//! | | convex volume | [`cyrus_beck_in_space`](Segments::cyrus_beck_in_space) | planes bound something else: a room, a portal |
 //! | polygon | convex window | [`sutherland_hodgman_2d`](crate::geometry::ConvexWindow::sutherland_hodgman_2d) | the window is convex |
 //! | | polygon | [`greiner_hormann`](Clipper::greiner_hormann) | it is not, has holes, or is to be joined or subtracted |
 //! | | | [`weiler_atherton`](Clipper::weiler_atherton) | to see the same result found by walks along both outlines |
@@ -21,7 +25,7 @@
 //! In space, [`ClipMatrix`] takes vertices to homogeneous clip coordinates, and [`ClipPoint::on_screen`] divides them: the textbook's
 //! way to the screen, which scenes shorten.
 //!
-//! All clippers of segments give the same integers in an upright window.
+//! All clippers of segments give the same integers in an upright window, and in space the same exact parts.
 
 mod boolean;
 pub(crate) mod convex;
@@ -35,5 +39,5 @@ pub use boolean::{Clipper, Contour, Operation};
 pub use convex::ParametricSegment;
 pub(crate) use outcode::Outcode;
 pub use segment::Segments;
-pub use space::{ClipMatrix, ClipPoint};
+pub use space::{ClipMatrix, ClipPlane, ClipPoint, SpaceSegment};
 pub use visibility::Visibility;

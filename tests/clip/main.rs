@@ -17,4 +17,5 @@ mod known_booleans;
 mod large_booleans;
 mod polygon_booleans;
 mod segment_clipping;
+mod space_segments;
 mod trivial_clipping;

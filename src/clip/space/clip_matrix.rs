@@ -22,7 +22,7 @@ use core::num::NonZeroU64;
 use fixed::types::{I2F30, I16F16};
 
 use crate::{
-    clip::space::clip_point::ClipPoint,
+    clip::space::{clip_plane::ClipPlane, clip_point::ClipPoint},
     geometry::InputError,
     view::{Camera, Pose},
 };
@@ -90,8 +90,25 @@ impl ClipMatrix {
     ///
     /// Cost: 12 multiplications of 64 bits.
     pub fn apply(&self, vertex: [i16; 3]) -> ClipPoint {
-        let [x, y, z, w] = self.rows.map(|row| product(row, vertex));
+        let [x, y, z, w] = self.rows.map(|row| ClipPlane(row).distance(vertex));
         ClipPoint { x, y, z, w }
+    }
+
+    /// The six planes of the visible part of space, in the coordinates of the vertices: left, right, bottom, top, near, far. Each
+    /// is the sum or the difference of two rows, so that the distance of a vertex from it is exactly what its clip coordinates say.
+    ///
+    /// Source: Gribb and Hartmann 2001.
+    pub fn planes(&self) -> [ClipPlane; 6] {
+        let [x, y, z, w] = &self.rows;
+        let sum = |sign: i64, row: &[i64; 4]| {
+            let mut sum = *w;
+            for (sum, element) in sum.iter_mut().zip(row) {
+                // Two elements below 2^59.
+                *sum += sign * element;
+            }
+            ClipPlane(sum)
+        };
+        [sum(1, x), sum(-1, x), sum(1, y), sum(-1, y), ClipPlane(*z), sum(-1, z)]
     }
 }
 
@@ -149,11 +166,6 @@ fn view_of_model(camera: &Pose, model: &Pose) -> [[i64; 4]; 3] {
         // 46 fractional bits to 40; a vector of at most 2^16 * sqrt(3) units has a product below 2^63.
         [element(a), element(b), element(c), (dot(row, offset) + (1 << 5)) >> 6]
     })
-}
-
-/// A row times a vertex (x, y, z, 1): below 2^60, of elements below 2^42 and an offset below 2^59.
-fn product([a, b, c, offset]: [i64; 4], vertex: [i16; 3]) -> i64 {
-    dot([a, b, c], vertex.map(i64::from)) + offset
 }
 
 fn bits(element: I2F30) -> i64 {

@@ -8,7 +8,7 @@ use crate::{
         draw::{antialiased, closed, fills, lines, outline_texts, pictures, polygons, strokes, styles, texts},
         geometry, mesh, planted,
         scan::{circles, curves, fills as scan_fills, lines as scan_lines},
-        scene, shade, shading, surface, view,
+        scene, shade, shading, space, surface, view,
     },
     target::Target,
 };
@@ -28,6 +28,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<clip::SegmentCase>("clip.segment", &["clip", "clip::Segments"]),
     Target::new::<clip::ConvexCase>("clip.convex", &["clip"]),
     Target::new::<clip::BooleanCase>("clip.boolean", &["clip"]),
+    Target::new::<space::SpaceSegmentCase>("clip.space", &["clip", "clip::Segments", "scene"]),
     Target::new::<clip::PixelsCase>("clip.pixels", &["clip"]),
     Target::new::<circles::OutlinesCase>("scan.circles", &["scan", "scan::Conics"]),
     Target::new::<scan_lines::SiblingsCase>("scan.lines", &["scan", "scan::Lines"]),

@@ -127,6 +127,7 @@ impl Family {
 
 const FAMILIES: &[Family] = &[
     SEGMENTS,
+    SPACE_SEGMENTS,
     CONVEX_POLYGONS,
     BOOLEANS,
     CIRCLES,
@@ -174,6 +175,22 @@ const SEGMENTS: Family = Family {
         ),
     ],
     registered: &[registry::SEGMENTS, registry::CONVEX_SEGMENTS],
+    others: &[],
+};
+
+/// Segments between vertices of a model in a pose, against what a camera sees.
+const SPACE_SEGMENTS: Family = Family {
+    firmware: "space",
+    counts: &[
+        ("space.segment.inside", "clip a segment in space that is wholly visible"),
+        ("space.segment.crossing", "clip a segment in space that is cut"),
+        ("space.segment.outside", "clip a segment in space that is not visible"),
+        (
+            "space.segment.mixed",
+            "clip a segment in space: 25 % inside, 25 % cut, 50 % not visible",
+        ),
+    ],
+    registered: &[registry::SPACE_SEGMENTS, registry::VOLUME_SEGMENTS],
     others: &[],
 };
 

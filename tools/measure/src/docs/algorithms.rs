@@ -75,6 +75,17 @@ const TABLES: &[Table] = &[
         ],
     },
     Table {
+        name: "space_segments",
+        families: &[registry::SPACE_SEGMENTS, registry::VOLUME_SEGMENTS],
+        figures: &[
+            ("inside", "space.segment.inside"),
+            ("cut", "space.segment.crossing"),
+            ("outside", "space.segment.outside"),
+            ("mix", "space.segment.mixed"),
+            FLASH,
+        ],
+    },
+    Table {
         name: "polygon_clipping",
         families: &[
             registry::CONVEX_POLYGONS,

@@ -1,5 +1,7 @@
 use zrow::{
-    clip::{ClipMatrix, ClipPoint, Clipper, Contour, Operation, ParametricSegment, Visibility},
+    clip::{
+        ClipMatrix, ClipPlane, ClipPoint, Clipper, Contour, Operation, ParametricSegment, SpaceSegment, Visibility,
+    },
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, Window},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
@@ -91,6 +93,21 @@ fn space() {
     keep(ClipPoint::is_inside(any()));
     keep(ClipPoint::on_screen::<Sub4>(any(), any()));
     keep(ClipPoint::on_screen::<Sub8>(any(), any()));
+    keep(ClipMatrix::planes(any()));
+    keep(ClipPlane::through(any(), any()));
+    macro_rules! clip_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+(any(), any(), any()));)+
+        };
+    }
+    zrow_methods::space_segments!(clip_by_each);
+    zrow_methods::volume_segments!(clip_by_each);
+    keep(SpaceSegment::clip(any(), any()));
+    keep(SpaceSegment::ends(any(), any()));
+    keep(SpaceSegment::attribute(any(), any(), any()));
+    keep(SpaceSegment::vertices(any()));
     eq::<ClipMatrix>();
+    eq::<ClipPlane>();
+    eq::<SpaceSegment>();
     eq::<ClipPoint>();
 }

@@ -1,0 +1,4 @@
+//! Segment clippers in space to compare with the default.
+
+mod cohen_sutherland;
+mod eye_space;

@@ -1,0 +1,141 @@
+//! Counts the segment clippers in space, apart by what becomes of the segment, and mixed.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+
+use cortex_m::Peripherals;
+use cortex_m_rt::entry;
+use embedded_graphics::{prelude::*, primitives::Rectangle};
+use fixed::types::{I16F16, U0F16};
+use zrow::{
+    clip::{ClipMatrix, ClipPlane, ClipPoint, Segments, SpaceSegment},
+    scene::{Camera, Pose, Rotation},
+};
+use zrow_measure_firmware::{
+    inputs::Uniform,
+    report,
+    run::{Canvas, Runner},
+    stopwatch::Stopwatch,
+};
+
+/// What becomes of a segment.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Fate {
+    /// Visible as it is.
+    Inside,
+    /// Visible after a cut.
+    Crossing,
+    /// Rejected.
+    Outside,
+}
+
+/// What becomes of one segment after the other: a quarter is inside, a quarter crosses, half is outside.
+const MIXED: [Fate; 4] = [Fate::Inside, Fate::Outside, Fate::Crossing, Fate::Outside];
+
+type Vertex = [i16; 3];
+
+/// What a camera sees, and all that was clipped to it, folded into one number.
+struct Clipped {
+    matrix: ClipMatrix,
+    planes: [ClipPlane; 6],
+    sum: u32,
+}
+
+impl Clipped {
+    fn add(&mut self, part: Option<SpaceSegment>) {
+        let Some(part) = part else {
+            self.sum = self.sum.rotate_left(5) ^ 1;
+            return;
+        };
+        let (ClipPoint { x, y, z, w }, end) = part.ends(&self.matrix);
+        for number in [x, y, z, w, end.x, end.y, end.z, end.w] {
+            self.sum = self.sum.rotate_left(5) ^ number as u32 ^ (number >> 32) as u32;
+        }
+    }
+}
+
+impl Canvas for Clipped {
+    fn erase(&mut self) {
+        self.sum = 0;
+    }
+
+    fn checksum(&mut self) -> u32 {
+        self.sum
+    }
+}
+
+#[entry]
+fn main() -> ! {
+    let mut words = [0; 256];
+    let wanted = report::wanted(&mut words);
+    let Some(peripherals) = Peripherals::take() else {
+        report::exit(false)
+    };
+    let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
+    for (fates, name) in [
+        (&[Fate::Inside][..], "space.segment.inside"),
+        (&[Fate::Crossing], "space.segment.crossing"),
+        (&[Fate::Outside], "space.segment.outside"),
+        (&MIXED, "space.segment.mixed"),
+    ] {
+        if runner.wants(name) {
+            clippers(&mut runner, name, fates);
+        }
+    }
+    report::exit(true)
+}
+
+/// Counts all clippers with the same segments of a turned model.
+fn clippers(runner: &mut Runner, name: &str, fates: &[Fate]) {
+    let pose = Pose::new(
+        Rotation::about_y(U0F16::from_bits(black_box(9_000))),
+        [0, 0, 600].map(I16F16::from_num),
+    );
+    let viewport = Rectangle::new(Point::zero(), Size::new(240, 320));
+    let matrix = Camera::new(viewport, I16F16::from_num(64))
+        .and_then(|camera| ClipMatrix::new(&camera, &pose, I16F16::from_num(1_500)));
+    let Ok(matrix) = matrix else { report::exit(false) };
+    let mut uniform = Uniform::default();
+    let mut fates = fates.iter().cycle();
+    let inputs: [(Vertex, Vertex); 200] =
+        core::array::from_fn(|_| segment(&mut uniform, &matrix, fates.next().copied().unwrap_or(Fate::Outside)));
+    let mut clipped = Clipped {
+        matrix,
+        planes: matrix.planes(),
+        sum: 0,
+    };
+    macro_rules! count {
+        ($([$name:ident] [$($clip:tt)+])+) => {$(
+            runner.count(name, stringify!($name), &mut clipped, &inputs, |canvas, &(from, to)| {
+                canvas.add($($clip)+(from, to, &canvas.matrix));
+            });
+        )+};
+    }
+    zrow_methods::space_segments!(count);
+    macro_rules! count_planes {
+        ($([$name:ident] [$($clip:tt)+])+) => {$(
+            runner.count(name, stringify!($name), &mut clipped, &inputs, |canvas, &(from, to)| {
+                canvas.add($($clip)+(from, to, &canvas.planes));
+            });
+        )+};
+    }
+    zrow_methods::volume_segments!(count_planes);
+}
+
+/// The next segment of the series that meets this fate.
+fn segment(uniform: &mut Uniform, matrix: &ClipMatrix, fate: Fate) -> (Vertex, Vertex) {
+    let mut vertex = || [0; 3].map(|_: i16| uniform.number(-1_200, 1_200) as i16);
+    loop {
+        let (from, to) = (vertex(), vertex());
+        let ends_inside = matrix.apply(from).is_inside() && matrix.apply(to).is_inside();
+        let found = match Segments::homogeneous_liang_barsky(from, to, matrix) {
+            None => Fate::Outside,
+            Some(_) if ends_inside => Fate::Inside,
+            Some(_) => Fate::Crossing,
+        };
+        if found == fate {
+            return (from, to);
+        }
+    }
+}
