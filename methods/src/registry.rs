@@ -267,6 +267,16 @@ family! { $
 }
 
 family! { $
+    /// Faces in space against what a camera sees: `fn(&matrix, &face)` gives the corners of a polygon in clip coordinates.
+    space_polygons, SPACE_POLYGONS {
+        sutherland_hodgman: [zrow::clip::ClipMatrix::sutherland_hodgman], exact,
+            "Sutherland and Hodgman 1974; homogeneous as Blinn and Newell 1978", "a face with its attributes, before the division";
+        sutherland_hodgman_in_eye_space: [zrow::clip::ClipMatrix::sutherland_hodgman_in_eye_space], differing,
+            "Sutherland and Hodgman 1974; corners rounded in space", "where distances are wanted in space";
+    }
+}
+
+family! { $
     /// Polygons against a convex window: `fn::<CORNERS, SIDES>(&window, polygon)`.
     convex_polygons, CONVEX_POLYGONS {
         sutherland_hodgman_2d: [zrow::geometry::ConvexWindow::sutherland_hodgman_2d], exact,
@@ -351,6 +361,7 @@ pub const FAMILIES: &[(&str, &[Algorithm])] = &[
     ("convex_segments", CONVEX_SEGMENTS),
     ("space_segments", SPACE_SEGMENTS),
     ("volume_segments", VOLUME_SEGMENTS),
+    ("space_polygons", SPACE_POLYGONS),
     ("convex_polygons", CONVEX_POLYGONS),
     ("shapes_in_window", SHAPES_IN_WINDOW),
     ("booleans", BOOLEANS),

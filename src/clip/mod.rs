@@ -19,6 +19,8 @@
 //! | polygon | convex window | [`sutherland_hodgman_2d`](crate::geometry::ConvexWindow::sutherland_hodgman_2d) | the window is convex |
 //! | | polygon | [`greiner_hormann`](Clipper::greiner_hormann) | it is not, has holes, or is to be joined or subtracted |
 //! | | | [`weiler_atherton`](Clipper::weiler_atherton) | to see the same result found by walks along both outlines |
+//! | face in space | what a camera sees | [`sutherland_hodgman`](ClipMatrix::sutherland_hodgman) | with its attributes, before the division |
+//! | | | [`sutherland_hodgman_in_eye_space`](ClipMatrix::sutherland_hodgman_in_eye_space) | distances are wanted in space |
 //! | circle | pixels | [`circle_against_window`](Visibility::circle_against_window) | many circles are off the screen, or larger than it |
 //! | rectangle | pixels | [`rectangle_against_window`](Visibility::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!

@@ -5,6 +5,7 @@ mod common;
 #[path = "../reference"]
 mod reference {
     pub mod convex_parts;
+    pub mod seen_pixels;
 }
 
 mod any_units;
@@ -17,5 +18,6 @@ mod known_booleans;
 mod large_booleans;
 mod polygon_booleans;
 mod segment_clipping;
+mod space_polygons;
 mod space_segments;
 mod trivial_clipping;

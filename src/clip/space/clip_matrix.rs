@@ -22,7 +22,11 @@ use core::num::NonZeroU64;
 use fixed::types::{I2F30, I16F16};
 
 use crate::{
-    clip::space::{clip_plane::ClipPlane, clip_point::ClipPoint},
+    clip::space::{
+        clip_plane::ClipPlane,
+        clip_point::ClipPoint,
+        scale::{FRACTION_BITS, scaled},
+    },
     geometry::InputError,
     view::{Camera, Pose},
 };
@@ -58,9 +62,6 @@ pub struct ClipMatrix {
     rows: [[i64; 4]; 4],
 }
 
-/// Fractional bits of a matrix whose elements are small.
-const FRACTION_BITS: u32 = 40;
-
 impl ClipMatrix {
     /// The matrix of a camera and of a model in a pose: P V M. What is further away than `far` lies outside of the volume.
     ///
@@ -92,6 +93,11 @@ impl ClipMatrix {
     pub fn apply(&self, vertex: [i16; 3]) -> ClipPoint {
         let [x, y, z, w] = self.rows.map(|row| ClipPlane(row).distance(vertex));
         ClipPoint { x, y, z, w }
+    }
+
+    /// The rows: those that make x, y, z and w of clip coordinates.
+    pub(super) const fn rows(&self) -> [[i64; 4]; 4] {
+        self.rows
     }
 
     /// The six planes of the visible part of space, in the coordinates of the vertices: left, right, bottom, top, near, far. Each
@@ -174,17 +180,4 @@ fn bits(element: I2F30) -> i64 {
 
 fn dot([a, b, c]: [i64; 3], [x, y, z]: [i64; 3]) -> i64 {
     a * x + b * y + c * z
-}
-
-/// An element with 40 fractional bits, below 2^57, times a scale below 2^42, with the fractional bits of that scale: rounded down.
-///
-/// The product has up to 99 bits, of which the lowest 40 are left out: it is put together from parts of 20 bits.
-fn scaled(element: i64, scale: i64) -> i64 {
-    const PART: u32 = 20;
-    let low = |number: i64| number & ((1 << PART) - 1);
-    let (first, second) = (low(element), low(element >> PART));
-    let tail = (first * scale) >> PART;
-    let tail = (second * scale + tail) >> PART;
-    // The whole bits of the element: below 2^17, times 2^42.
-    (element >> FRACTION_BITS) * scale + tail
 }

@@ -9,6 +9,7 @@ mod liang_barsky;
 mod scale;
 mod siblings;
 mod space_segment;
+mod sutherland_hodgman;
 
 pub use clip_matrix::ClipMatrix;
 pub use clip_plane::ClipPlane;

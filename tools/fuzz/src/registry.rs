@@ -29,6 +29,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<clip::ConvexCase>("clip.convex", &["clip"]),
     Target::new::<clip::BooleanCase>("clip.boolean", &["clip"]),
     Target::new::<space::SpaceSegmentCase>("clip.space", &["clip", "clip::Segments", "scene"]),
+    Target::new::<space::SpaceFaceCase>("clip.space_face", &["clip", "scene"]),
     Target::new::<clip::PixelsCase>("clip.pixels", &["clip"]),
     Target::new::<circles::OutlinesCase>("scan.circles", &["scan", "scan::Conics"]),
     Target::new::<scan_lines::SiblingsCase>("scan.lines", &["scan", "scan::Lines"]),

@@ -128,6 +128,7 @@ impl Family {
 const FAMILIES: &[Family] = &[
     SEGMENTS,
     SPACE_SEGMENTS,
+    SPACE_POLYGONS,
     CONVEX_POLYGONS,
     BOOLEANS,
     CIRCLES,
@@ -191,6 +192,17 @@ const SPACE_SEGMENTS: Family = Family {
         ),
     ],
     registered: &[registry::SPACE_SEGMENTS, registry::VOLUME_SEGMENTS],
+    others: &[],
+};
+
+/// Faces of a model in a pose, against what a camera sees.
+const SPACE_POLYGONS: Family = Family {
+    firmware: "space",
+    counts: &[(
+        "space.face.crossing",
+        "clip a face in space that is cut, with two attributes",
+    )],
+    registered: &[registry::SPACE_POLYGONS],
     others: &[],
 };
 

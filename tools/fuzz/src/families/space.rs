@@ -1,4 +1,5 @@
-//! `zrow::clip` in space: what is left of a segment is visible, the same by all that clip one, and nothing of it is cut again.
+//! `zrow::clip` in space: what is left of a segment is visible, the same by all that clip one, and nothing of it is cut again; what is
+//! visible of a face is kept.
 
 use anyhow::ensure;
 use arbitrary::Arbitrary;
@@ -133,6 +134,53 @@ impl SpaceSegmentCase {
             one_by_one = one_by_one.and_then(|part| part.clip(&[*plane]));
         }
         ensure!(one_by_one == part, "{part:?}, plane by plane {one_by_one:?}");
+        Ok(())
+    }
+}
+
+/// A face, against what a camera sees.
+#[derive(Debug, Arbitrary)]
+pub struct SpaceFaceCase {
+    view: View,
+    vertices: [([Number<i16>; 3], [Int; 2]); 3],
+}
+
+impl Case for SpaceFaceCase {
+    fn check(&self) -> Verdict {
+        let face = self
+            .vertices
+            .map(|(vertex, attributes)| (vertex.map(|axis| axis.0), attributes.map(|attribute| attribute.0)));
+        let Some((camera, matrix)) = self.view.get()? else {
+            return Ok(());
+        };
+        let between = [0, 1].map(|index: usize| {
+            let attributes = face.map(|(_, attributes)| attributes.get(index).copied().unwrap_or_default());
+            attributes.iter().copied().min().zip(attributes.iter().copied().max())
+        });
+        macro_rules! clip_by_each {
+            ($([$name:ident] [$($clip:tt)+])+) => {
+                [$((stringify!($name), $($clip)+(&matrix, &face))),+]
+            };
+        }
+        for (name, polygon) in zrow_methods::space_polygons!(clip_by_each) {
+            for (point, attributes) in &polygon {
+                for (attribute, range) in attributes.iter().zip(between) {
+                    let is_between = range.is_some_and(|(least, most)| (least..=most).contains(attribute));
+                    ensure!(is_between, "{name}: {attribute} is not within {range:?}");
+                }
+                let _ = (point.on_screen::<Sub4>(&camera), point.on_screen::<Sub8>(&camera));
+            }
+        }
+        let polygon = matrix.sutherland_hodgman(&face);
+        let is_inside = face.map(|(vertex, _)| matrix.apply(vertex).is_inside());
+        for ((vertex, _), is_inside) in face.iter().zip(is_inside) {
+            let point = matrix.apply(*vertex);
+            let is_kept = polygon.iter().any(|(corner, _)| *corner == point);
+            ensure!(is_kept == is_inside || is_kept, "{point:?} is lost");
+        }
+        if is_inside == [true; 3] {
+            ensure!(polygon.len() == 3, "{polygon:?} of a visible face");
+        }
         Ok(())
     }
 }

@@ -86,6 +86,11 @@ const TABLES: &[Table] = &[
         ],
     },
     Table {
+        name: "space_polygons",
+        families: &[registry::SPACE_POLYGONS],
+        figures: &[("cut", "space.face.crossing"), FLASH],
+    },
+    Table {
         name: "polygon_clipping",
         families: &[
             registry::CONVEX_POLYGONS,

@@ -42,7 +42,7 @@ fn main() -> ! {
     polygons();
     triangles();
     segments();
-    space_segments();
+    in_space_by_each();
     clippers();
     coverage();
     samples();
@@ -174,8 +174,8 @@ fn segments() {
     zrow_methods::segments!(clip);
 }
 
-/// Segment clippers in space, the set-up of the matrix included.
-fn space_segments() {
+/// Clippers in space, the set-up of the matrix included.
+fn in_space_by_each() {
     macro_rules! clip {
         ($([$name:ident] [$($clip:tt)+])+) => {$(
             if const { content::is(stringify!($name)) } {
@@ -194,6 +194,16 @@ fn space_segments() {
         )+};
     }
     zrow_methods::volume_segments!(clip_to_planes);
+    macro_rules! clip_face {
+        ($([$name:ident] [$($clip:tt)+])+) => {$(
+            if const { content::is(stringify!($name)) } {
+                in_space(|from, to, matrix| {
+                    black_box($($clip)+(matrix, &[(from, [0; 2]), (to, [0; 2]), (from, [0; 2])]).len())
+                });
+            }
+        )+};
+    }
+    zrow_methods::space_polygons!(clip_face);
 }
 
 fn in_space<T>(clip: impl FnOnce([i16; 3], [i16; 3], &ClipMatrix) -> T) {

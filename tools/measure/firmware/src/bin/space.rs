@@ -1,4 +1,4 @@
-//! Counts the segment clippers in space, apart by what becomes of the segment, and mixed.
+//! Counts the clippers in space: segments, apart by what becomes of them and mixed, and faces that are cut.
 #![no_std]
 #![no_main]
 
@@ -43,13 +43,35 @@ struct Clipped {
 }
 
 impl Clipped {
+    /// A camera in front of a turned model.
+    fn new() -> Self {
+        let pose = Pose::new(
+            Rotation::about_y(U0F16::from_bits(black_box(9_000))),
+            [0, 0, 600].map(I16F16::from_num),
+        );
+        let viewport = Rectangle::new(Point::zero(), Size::new(240, 320));
+        let matrix = Camera::new(viewport, I16F16::from_num(64))
+            .and_then(|camera| ClipMatrix::new(&camera, &pose, I16F16::from_num(1_500)));
+        let Ok(matrix) = matrix else { report::exit(false) };
+        Self {
+            matrix,
+            planes: matrix.planes(),
+            sum: 0,
+        }
+    }
+
     fn add(&mut self, part: Option<SpaceSegment>) {
         let Some(part) = part else {
             self.sum = self.sum.rotate_left(5) ^ 1;
             return;
         };
-        let (ClipPoint { x, y, z, w }, end) = part.ends(&self.matrix);
-        for number in [x, y, z, w, end.x, end.y, end.z, end.w] {
+        let (from, to) = part.ends(&self.matrix);
+        self.add_point(from);
+        self.add_point(to);
+    }
+
+    fn add_point(&mut self, ClipPoint { x, y, z, w }: ClipPoint) {
+        for number in [x, y, z, w] {
             self.sum = self.sum.rotate_left(5) ^ number as u32 ^ (number >> 32) as u32;
         }
     }
@@ -83,28 +105,49 @@ fn main() -> ! {
             clippers(&mut runner, name, fates);
         }
     }
+    if runner.wants("space.face.crossing") {
+        face_clippers(&mut runner, "space.face.crossing");
+    }
     report::exit(true)
+}
+
+/// Counts all clippers of faces with the same faces of a turned model, two attributes each.
+fn face_clippers(runner: &mut Runner, name: &str) {
+    let mut clipped = Clipped::new();
+    let mut uniform = Uniform::default();
+    let inputs: [[Vertex; 3]; 100] = core::array::from_fn(|_| {
+        loop {
+            let mut vertex = || [0; 3].map(|_: i16| uniform.number(-1_200, 1_200) as i16);
+            let vertices = [vertex(), vertex(), vertex()];
+            let face = vertices.map(|vertex| (vertex, []));
+            let is_inside = vertices.iter().all(|&vertex| clipped.matrix.apply(vertex).is_inside());
+            if !is_inside && !clipped.matrix.sutherland_hodgman(&face).is_empty() {
+                return vertices;
+            }
+        }
+    });
+    macro_rules! count {
+        ($([$name:ident] [$($clip:tt)+])+) => {$(
+            runner.count(name, stringify!($name), &mut clipped, &inputs, |canvas, &[a, b, c]| {
+                let face = [(a, [0, 0]), (b, [1_000, 0]), (c, [0, 1_000])];
+                for (point, [u, v]) in $($clip)+(&canvas.matrix, &face) {
+                    canvas.add_point(point);
+                    canvas.sum = canvas.sum.rotate_left(5) ^ (u + v) as u32;
+                }
+            });
+        )+};
+    }
+    zrow_methods::space_polygons!(count);
 }
 
 /// Counts all clippers with the same segments of a turned model.
 fn clippers(runner: &mut Runner, name: &str, fates: &[Fate]) {
-    let pose = Pose::new(
-        Rotation::about_y(U0F16::from_bits(black_box(9_000))),
-        [0, 0, 600].map(I16F16::from_num),
-    );
-    let viewport = Rectangle::new(Point::zero(), Size::new(240, 320));
-    let matrix = Camera::new(viewport, I16F16::from_num(64))
-        .and_then(|camera| ClipMatrix::new(&camera, &pose, I16F16::from_num(1_500)));
-    let Ok(matrix) = matrix else { report::exit(false) };
+    let mut clipped = Clipped::new();
+    let matrix = clipped.matrix;
     let mut uniform = Uniform::default();
     let mut fates = fates.iter().cycle();
     let inputs: [(Vertex, Vertex); 200] =
         core::array::from_fn(|_| segment(&mut uniform, &matrix, fates.next().copied().unwrap_or(Fate::Outside)));
-    let mut clipped = Clipped {
-        matrix,
-        planes: matrix.planes(),
-        sum: 0,
-    };
     macro_rules! count {
         ($([$name:ident] [$($clip:tt)+])+) => {$(
             runner.count(name, stringify!($name), &mut clipped, &inputs, |canvas, &(from, to)| {

@@ -102,6 +102,12 @@ fn space() {
     }
     zrow_methods::space_segments!(clip_by_each);
     zrow_methods::volume_segments!(clip_by_each);
+    macro_rules! clip_faces_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<2>(any(), any()));)+
+        };
+    }
+    zrow_methods::space_polygons!(clip_faces_by_each);
     keep(SpaceSegment::clip(any(), any()));
     keep(SpaceSegment::ends(any(), any()));
     keep(SpaceSegment::attribute(any(), any(), any()));
