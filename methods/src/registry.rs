@@ -223,6 +223,14 @@ family! { $
 }
 
 family! { $
+    /// Triangle fills in homogeneous coordinates: `fn(corners, &camera, &window, emit)`.
+    homogeneous_triangles, HOMOGENEOUS_TRIANGLES {
+        homogeneous_triangle: [zrow::scan::Polygons::homogeneous_triangle], exact,
+            "Olano and Greer 1997: no clipping, no division", "to see what clipping is for: faces around the eye are no special case";
+    }
+}
+
+family! { $
     /// Segments against an upright window: `fn(from, to, &window)`.
     segments, SEGMENTS {
         liang_barsky: [zrow::clip::Segments::liang_barsky], exact,
@@ -357,6 +365,7 @@ pub const FAMILIES: &[(&str, &[Algorithm])] = &[
     ("polygon_fills", POLYGON_FILLS),
     ("point_tests", POINT_TESTS),
     ("triangles", TRIANGLES),
+    ("homogeneous_triangles", HOMOGENEOUS_TRIANGLES),
     ("segments", SEGMENTS),
     ("convex_segments", CONVEX_SEGMENTS),
     ("space_segments", SPACE_SEGMENTS),

@@ -14,6 +14,7 @@ mod convex_polygons;
 mod convex_segments;
 mod convex_windows;
 mod exact_boolean;
+mod homogeneous_triangles;
 mod known_booleans;
 mod large_booleans;
 mod polygon_booleans;

@@ -144,7 +144,7 @@ fn check(triangle: Triangle) -> usize {
 }
 
 proptest! {
-    #![proptest_config(config(cases(120, 5_000)))]
+    #![proptest_config(config(cases(120, 1_500)))]
 
     #[test]
     fn faces_around_the_eye(triangle in prop::array::uniform3(prop::array::uniform3(-40i16..=40))) {

@@ -38,6 +38,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<curves::PolynomialCase>("scan.polynomial", &["scan"]),
     Target::new::<scan_fills::PolygonCase>("scan.polygon", &["scan", "scan::Polygons"]),
     Target::new::<scan_fills::LocateCase>("scan.locate", &["scan", "scan::Polygons"]),
+    Target::new::<space::HomogeneousTriangleCase>("scan.homogeneous", &["clip", "scan", "scan::Polygons", "scene"]),
     Target::new::<scan_fills::SubTriangleCase>("scan.sub_triangle", &["scan", "scan::Polygons"]),
     Target::new::<coverage::MethodCase>("coverage.method", &["coverage"]),
     Target::new::<coverage::AreaCase>("coverage.area", &["coverage"]),

@@ -129,6 +129,7 @@ const FAMILIES: &[Family] = &[
     SEGMENTS,
     SPACE_SEGMENTS,
     SPACE_POLYGONS,
+    HOMOGENEOUS_TRIANGLES,
     CONVEX_POLYGONS,
     BOOLEANS,
     CIRCLES,
@@ -203,6 +204,17 @@ const SPACE_POLYGONS: Family = Family {
         "clip a face in space that is cut, with two attributes",
     )],
     registered: &[registry::SPACE_POLYGONS],
+    others: &[],
+};
+
+/// Triangles in homogeneous coordinates, without clipping, on 240 x 320 pixels; beside them what clips them first.
+const HOMOGENEOUS_TRIANGLES: Family = Family {
+    firmware: "space",
+    counts: &[(
+        "space.triangle",
+        "spans of a triangle in space that is cut, 240 x 320 pixels",
+    )],
+    registered: &[registry::HOMOGENEOUS_TRIANGLES],
     others: &[],
 };
 

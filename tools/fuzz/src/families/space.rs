@@ -1,6 +1,8 @@
 //! `zrow::clip` in space: what is left of a segment is visible, the same by all that clip one, and nothing of it is cut again; what is
 //! visible of a face is kept.
 
+use core::convert::Infallible;
+
 use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::{
@@ -10,7 +12,7 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use zrow::{
     clip::{ClipMatrix, ClipPlane, ClipPoint, Segments},
-    geometry::{InputError, Sub4, Sub8},
+    geometry::{InputError, Sub4, Sub8, Window},
     scene::{Camera, Pose},
 };
 
@@ -181,6 +183,65 @@ impl Case for SpaceFaceCase {
         if is_inside == [true; 3] {
             ensure!(polygon.len() == 3, "{polygon:?} of a visible face");
         }
+        Ok(())
+    }
+}
+
+/// A triangle in homogeneous coordinates: of a model, or of any numbers.
+#[derive(Debug, Arbitrary)]
+pub struct HomogeneousTriangleCase {
+    view: View,
+    vertices: [[Number<i16>; 3]; 3],
+    by_hand: Option<[[Number<i64>; 4]; 3]>,
+    corner: [Number<u16>; 2],
+}
+
+impl Case for HomogeneousTriangleCase {
+    fn check(&self) -> Verdict {
+        let Some((camera, matrix)) = self.view.get()? else {
+            return Ok(());
+        };
+        let of_model = self.vertices.map(|vertex| matrix.apply(vertex.map(|axis| axis.0)));
+        let by_hand = self.by_hand.map(|corners| {
+            corners.map(|corner| {
+                let [x, y, z, w] = corner.map(|number| number.0);
+                ClipPoint { x, y, z, w }
+            })
+        });
+        let [a, b, c] = by_hand.unwrap_or(of_model);
+        let viewport = camera.viewport();
+        let [left, top] = self.corner.map(|corner| i32::from(corner.0));
+        let window = Window {
+            left: viewport.left.saturating_add(left),
+            top: viewport.top.saturating_add(top),
+            right: viewport.left.saturating_add(left + 32),
+            bottom: viewport.top.saturating_add(top + 32),
+        };
+        macro_rules! fill_by_each {
+            ($([$name:ident] [$($fill:tt)+])+) => {
+                $(
+                    let filled = |corners: [ClipPoint; 3]| {
+                        let mut spans = Vec::new();
+                        let Ok(()) = $($fill)+(corners, &camera, &window, |span| {
+                            spans.push((span.y, span.start, span.end));
+                            Ok::<(), Infallible>(())
+                        });
+                        spans
+                    };
+                    let spans = filled([a, b, c]);
+                    let visible = window.intersection(&viewport);
+                    for &(y, start, end) in &spans {
+                        let is_inside = (visible.top..visible.bottom).contains(&y)
+                            && visible.left <= start && start < end && end <= visible.right;
+                        ensure!(is_inside, "{start} to {end} in row {y} of {visible:?}");
+                    }
+                    ensure!(spans.windows(2).all(|rows| rows[0].0 < rows[1].0), "{spans:?} are not in order");
+                    ensure!(filled([b, c, a]) == spans, "another first corner, other pixels");
+                    ensure!(filled([c, b, a]) == spans, "the other way round, other pixels");
+                )+
+            };
+        }
+        zrow_methods::homogeneous_triangles!(fill_by_each);
         Ok(())
     }
 }

@@ -55,6 +55,11 @@ const TABLES: &[Table] = &[
         ],
     },
     Table {
+        name: "homogeneous_triangles",
+        families: &[registry::HOMOGENEOUS_TRIANGLES],
+        figures: &[("a triangle that is cut", "space.triangle"), FLASH],
+    },
+    Table {
         name: "coverage_methods",
         families: &[registry::COVERAGE_METHODS],
         figures: &[

@@ -204,6 +204,19 @@ fn in_space_by_each() {
         )+};
     }
     zrow_methods::space_polygons!(clip_face);
+    macro_rules! fill {
+        ($([$name:ident] [$($fill:tt)+])+) => {$(
+            if const { content::is(stringify!($name)) } {
+                in_space(|from, to, matrix| {
+                    let (corners, camera) = black_box(([from, to, from], None::<Camera>));
+                    let corners = corners.map(|vertex| matrix.apply(vertex));
+                    let fill = |camera: Camera| $($fill)+(corners, &camera, &camera.viewport(), keep_span).is_ok();
+                    black_box(camera.map(fill))
+                });
+            }
+        )+};
+    }
+    zrow_methods::homogeneous_triangles!(fill);
 }
 
 fn in_space<T>(clip: impl FnOnce([i16; 3], [i16; 3], &ClipMatrix) -> T) {

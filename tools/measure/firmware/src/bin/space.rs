@@ -2,7 +2,7 @@
 #![no_std]
 #![no_main]
 
-use core::hint::black_box;
+use core::{convert::Infallible, hint::black_box};
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
@@ -49,9 +49,7 @@ impl Clipped {
             Rotation::about_y(U0F16::from_bits(black_box(9_000))),
             [0, 0, 600].map(I16F16::from_num),
         );
-        let viewport = Rectangle::new(Point::zero(), Size::new(240, 320));
-        let matrix = Camera::new(viewport, I16F16::from_num(64))
-            .and_then(|camera| ClipMatrix::new(&camera, &pose, I16F16::from_num(1_500)));
+        let matrix = ClipMatrix::new(&camera(), &pose, I16F16::from_num(1_500));
         let Ok(matrix) = matrix else { report::exit(false) };
         Self {
             matrix,
@@ -108,24 +106,58 @@ fn main() -> ! {
     if runner.wants("space.face.crossing") {
         face_clippers(&mut runner, "space.face.crossing");
     }
+    if runner.wants("space.triangle") {
+        triangles(&mut runner, "space.triangle");
+    }
     report::exit(true)
+}
+
+/// A camera at the origin in front of which models are.
+fn camera() -> Camera {
+    let viewport = Rectangle::new(Point::zero(), Size::new(240, 320));
+    let Ok(camera) = Camera::new(viewport, I16F16::from_num(64)) else {
+        report::exit(false)
+    };
+    camera
+}
+
+/// The next face of the series that is cut and visible.
+fn face(uniform: &mut Uniform, matrix: &ClipMatrix) -> [Vertex; 3] {
+    loop {
+        let mut vertex = || [0; 3].map(|_: i16| uniform.number(-1_200, 1_200) as i16);
+        let vertices = [vertex(), vertex(), vertex()];
+        let face = vertices.map(|vertex| (vertex, []));
+        let is_inside = vertices.iter().all(|&vertex| matrix.apply(vertex).is_inside());
+        if !is_inside && !matrix.sutherland_hodgman(&face).is_empty() {
+            return vertices;
+        }
+    }
+}
+
+/// Counts the spans of triangles that are not clipped.
+fn triangles(runner: &mut Runner, name: &str) {
+    let (mut clipped, camera) = (Clipped::new(), camera());
+    let mut uniform = Uniform::default();
+    let inputs: [[Vertex; 3]; 20] = core::array::from_fn(|_| face(&mut uniform, &clipped.matrix));
+    macro_rules! count {
+        ($([$name:ident] [$($fill:tt)+])+) => {$(
+            runner.count(name, stringify!($name), &mut clipped, &inputs, |canvas, &vertices| {
+                let corners = vertices.map(|vertex| canvas.matrix.apply(vertex));
+                let Ok(()) = $($fill)+(corners, &camera, &camera.viewport(), |span| {
+                    canvas.sum = canvas.sum.rotate_left(5) ^ (span.start << 10 | span.end) as u32;
+                    Ok::<(), Infallible>(())
+                });
+            });
+        )+};
+    }
+    zrow_methods::homogeneous_triangles!(count);
 }
 
 /// Counts all clippers of faces with the same faces of a turned model, two attributes each.
 fn face_clippers(runner: &mut Runner, name: &str) {
     let mut clipped = Clipped::new();
     let mut uniform = Uniform::default();
-    let inputs: [[Vertex; 3]; 100] = core::array::from_fn(|_| {
-        loop {
-            let mut vertex = || [0; 3].map(|_: i16| uniform.number(-1_200, 1_200) as i16);
-            let vertices = [vertex(), vertex(), vertex()];
-            let face = vertices.map(|vertex| (vertex, []));
-            let is_inside = vertices.iter().all(|&vertex| clipped.matrix.apply(vertex).is_inside());
-            if !is_inside && !clipped.matrix.sutherland_hodgman(&face).is_empty() {
-                return vertices;
-            }
-        }
-    });
+    let inputs: [[Vertex; 3]; 100] = core::array::from_fn(|_| face(&mut uniform, &clipped.matrix));
     macro_rules! count {
         ($([$name:ident] [$($clip:tt)+])+) => {$(
             runner.count(name, stringify!($name), &mut clipped, &inputs, |canvas, &[a, b, c]| {
