@@ -223,6 +223,14 @@ family! { $
 }
 
 family! { $
+    /// Triangle fills in homogeneous coordinates: `fn(corners, &camera, &window, emit)`.
+    homogeneous_triangles, HOMOGENEOUS_TRIANGLES {
+        homogeneous_triangle: [zrow::scan::Polygons::homogeneous_triangle], exact,
+            "Olano and Greer 1997: no clipping, no division", "to see what clipping is for: faces around the eye are no special case";
+    }
+}
+
+family! { $
     /// Segments against an upright window: `fn(from, to, &window)`.
     segments, SEGMENTS {
         liang_barsky: [zrow::clip::Segments::liang_barsky], exact,
@@ -241,6 +249,38 @@ family! { $
     convex_segments, CONVEX_SEGMENTS {
         cyrus_beck: [zrow::clip::Segments::cyrus_beck], exact,
             "Cyrus and Beck 1978", "for a convex window that is not upright, or several";
+    }
+}
+
+family! { $
+    /// Segments in space against what a camera sees: `fn(from, to, &matrix)`.
+    space_segments, SPACE_SEGMENTS {
+        homogeneous_liang_barsky: [zrow::clip::Segments::homogeneous_liang_barsky], exact,
+            "Liang and Barsky 1984, in four dimensions", "by default";
+        homogeneous_cohen_sutherland: [zrow::clip::Segments::homogeneous_cohen_sutherland], exact,
+            "Cohen and Sutherland 1967; Blinn and Newell 1978: outcodes of six bits",
+            "where most segments are inside or on one side";
+        eye_space: [zrow::clip::Segments::eye_space], exact,
+            "Sutherland and Hodgman 1974; planes as Gribb and Hartmann 2001",
+            "to see that homogeneous clipping is clipping in space";
+    }
+}
+
+family! { $
+    /// Segments in space against a convex volume: `fn(from, to, &planes)`.
+    volume_segments, VOLUME_SEGMENTS {
+        cyrus_beck_in_space: [zrow::clip::Segments::cyrus_beck_in_space], exact,
+            "Cyrus and Beck 1978", "for planes that bound something else: a room, a portal";
+    }
+}
+
+family! { $
+    /// Faces in space against what a camera sees: `fn(&matrix, &face)` gives the corners of a polygon in clip coordinates.
+    space_polygons, SPACE_POLYGONS {
+        sutherland_hodgman: [zrow::clip::ClipMatrix::sutherland_hodgman], exact,
+            "Sutherland and Hodgman 1974; homogeneous as Blinn and Newell 1978", "a face with its attributes, before the division";
+        sutherland_hodgman_in_eye_space: [zrow::clip::ClipMatrix::sutherland_hodgman_in_eye_space], differing,
+            "Sutherland and Hodgman 1974; corners rounded in space", "where distances are wanted in space";
     }
 }
 
@@ -325,8 +365,12 @@ pub const FAMILIES: &[(&str, &[Algorithm])] = &[
     ("polygon_fills", POLYGON_FILLS),
     ("point_tests", POINT_TESTS),
     ("triangles", TRIANGLES),
+    ("homogeneous_triangles", HOMOGENEOUS_TRIANGLES),
     ("segments", SEGMENTS),
     ("convex_segments", CONVEX_SEGMENTS),
+    ("space_segments", SPACE_SEGMENTS),
+    ("volume_segments", VOLUME_SEGMENTS),
+    ("space_polygons", SPACE_POLYGONS),
     ("convex_polygons", CONVEX_POLYGONS),
     ("shapes_in_window", SHAPES_IN_WINDOW),
     ("booleans", BOOLEANS),

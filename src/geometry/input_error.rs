@@ -64,7 +64,8 @@ pub enum InputError {
     },
     /// The near plane of a [`Camera`](crate::scene::Camera) must be at least 8 units of the vertices away: choose a finer unit.
     NearTooClose,
-    /// The far plane of a [`Camera`](crate::scene::Camera) must be behind its near plane.
+    /// The far plane of a [`Camera`](crate::scene::Camera) must be behind its near plane, that of a
+    /// [`ClipMatrix`](crate::clip::ClipMatrix) at least twice as far away as the near plane.
     FarTooClose,
     /// The viewport of a camera must have pixels, and lie within -8191 to 8191 pixels, the domain of
     /// [`Sub8`](crate::geometry::Sub8).
@@ -150,7 +151,8 @@ impl Display for InputError {
                 write!(formatter, "face {face} names vertex {vertex}, which is not there")
             }
             Self::NearTooClose => formatter.write_str("the near plane must be at least 8 units away"),
-            Self::FarTooClose => formatter.write_str("the far plane must be behind the near plane"),
+            Self::FarTooClose => formatter
+                .write_str("the far plane must be behind the near plane, for a 4x4 matrix at least twice as far away"),
             Self::ViewportOutOfDomain => {
                 formatter.write_str("the viewport is empty or reaches beyond the coordinates of the precision")
             }

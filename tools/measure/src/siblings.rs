@@ -127,6 +127,9 @@ impl Family {
 
 const FAMILIES: &[Family] = &[
     SEGMENTS,
+    SPACE_SEGMENTS,
+    SPACE_POLYGONS,
+    HOMOGENEOUS_TRIANGLES,
     CONVEX_POLYGONS,
     BOOLEANS,
     CIRCLES,
@@ -174,6 +177,44 @@ const SEGMENTS: Family = Family {
         ),
     ],
     registered: &[registry::SEGMENTS, registry::CONVEX_SEGMENTS],
+    others: &[],
+};
+
+/// Segments between vertices of a model in a pose, against what a camera sees.
+const SPACE_SEGMENTS: Family = Family {
+    firmware: "space",
+    counts: &[
+        ("space.segment.inside", "clip a segment in space that is wholly visible"),
+        ("space.segment.crossing", "clip a segment in space that is cut"),
+        ("space.segment.outside", "clip a segment in space that is not visible"),
+        (
+            "space.segment.mixed",
+            "clip a segment in space: 25 % inside, 25 % cut, 50 % not visible",
+        ),
+    ],
+    registered: &[registry::SPACE_SEGMENTS, registry::VOLUME_SEGMENTS],
+    others: &[],
+};
+
+/// Faces of a model in a pose, against what a camera sees.
+const SPACE_POLYGONS: Family = Family {
+    firmware: "space",
+    counts: &[(
+        "space.face.crossing",
+        "clip a face in space that is cut, with two attributes",
+    )],
+    registered: &[registry::SPACE_POLYGONS],
+    others: &[],
+};
+
+/// Triangles in homogeneous coordinates, without clipping, on 240 x 320 pixels; beside them what clips them first.
+const HOMOGENEOUS_TRIANGLES: Family = Family {
+    firmware: "space",
+    counts: &[(
+        "space.triangle",
+        "spans of a triangle in space that is cut, 240 x 320 pixels",
+    )],
+    registered: &[registry::HOMOGENEOUS_TRIANGLES],
     others: &[],
 };
 

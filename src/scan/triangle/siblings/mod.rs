@@ -4,4 +4,5 @@ mod barycentric_triangle;
 mod edge_function;
 mod edge_function_triangle;
 mod hierarchical_triangle;
+mod homogeneous_triangle;
 mod incremental_edge_triangle;

@@ -11,5 +11,6 @@ pub mod scan;
 pub mod scene;
 pub mod shade;
 pub mod shading;
+pub mod space;
 pub mod surface;
 pub mod view;

@@ -101,10 +101,13 @@ impl Case for RotationCase {
     }
 }
 
+/// An affine map: its matrix, its translation, and by how much both are smaller.
+type AnyMap = ([[Int; 3]; 3], [Int; 3], Number<u8>);
+
 /// Affine maps one after the other, and a model that they put before a camera.
 #[derive(Debug, Arbitrary)]
 pub struct AffineCase {
-    maps: List<([[Int; 3]; 3], [Int; 3], Number<u8>), 4>,
+    maps: List<AnyMap, 4>,
     turn: Turn,
     position: [Int; 3],
     vertices: [[Number<i16>; 3]; 4],

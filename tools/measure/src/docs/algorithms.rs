@@ -55,6 +55,11 @@ const TABLES: &[Table] = &[
         ],
     },
     Table {
+        name: "homogeneous_triangles",
+        families: &[registry::HOMOGENEOUS_TRIANGLES],
+        figures: &[("a triangle that is cut", "space.triangle"), FLASH],
+    },
+    Table {
         name: "coverage_methods",
         families: &[registry::COVERAGE_METHODS],
         figures: &[
@@ -73,6 +78,22 @@ const TABLES: &[Table] = &[
             ("mix", "segment.mixed.sub4"),
             FLASH,
         ],
+    },
+    Table {
+        name: "space_segments",
+        families: &[registry::SPACE_SEGMENTS, registry::VOLUME_SEGMENTS],
+        figures: &[
+            ("inside", "space.segment.inside"),
+            ("cut", "space.segment.crossing"),
+            ("outside", "space.segment.outside"),
+            ("mix", "space.segment.mixed"),
+            FLASH,
+        ],
+    },
+    Table {
+        name: "space_polygons",
+        families: &[registry::SPACE_POLYGONS],
+        figures: &[("cut", "space.face.crossing"), FLASH],
     },
     Table {
         name: "polygon_clipping",

@@ -10,16 +10,17 @@ use embedded_graphics::{
     prelude::*,
     primitives::{Circle, Polyline, Rectangle},
 };
-use fixed::types::{U8F8, U16F16};
+use fixed::types::{I16F16, U8F8, U16F16};
 use zrow::{
     band::{Band, PictureLoop, Span, Supersampling, Target},
-    clip::{Clipper, Operation, Segments, Visibility},
+    clip::{ClipMatrix, Clipper, Operation, Segments, Visibility},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{
         AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, PrimitiveStyle, SeedFill, StrokeStyle,
     },
     geometry::{ConvexWindow, FixedPointWindow, Sub4, Sub8, SubPoint, TooSmall, Window},
     scan::{Bezier, Polygons},
+    scene::{Camera, Pose},
     shade::{ConeFilter, LinearGradient, Paint, Pattern, RadialGradient, Ramp, SampleFilter},
 };
 use zrow_measure_firmware::{content, report, stack};
@@ -41,6 +42,7 @@ fn main() -> ! {
     polygons();
     triangles();
     segments();
+    in_space_by_each();
     clippers();
     coverage();
     samples();
@@ -170,6 +172,57 @@ fn segments() {
         )+};
     }
     zrow_methods::segments!(clip);
+}
+
+/// Clippers in space, the set-up of the matrix included.
+fn in_space_by_each() {
+    macro_rules! clip {
+        ($([$name:ident] [$($clip:tt)+])+) => {$(
+            if const { content::is(stringify!($name)) } {
+                in_space(|from, to, matrix| $($clip)+(from, to, matrix).map(|part| part.ends(matrix)));
+            }
+        )+};
+    }
+    zrow_methods::space_segments!(clip);
+    macro_rules! clip_to_planes {
+        ($([$name:ident] [$($clip:tt)+])+) => {$(
+            if const { content::is(stringify!($name)) } {
+                in_space(|from, to, matrix| {
+                    $($clip)+(from, to, &matrix.planes()).map(|part| part.ends(matrix))
+                });
+            }
+        )+};
+    }
+    zrow_methods::volume_segments!(clip_to_planes);
+    macro_rules! clip_face {
+        ($([$name:ident] [$($clip:tt)+])+) => {$(
+            if const { content::is(stringify!($name)) } {
+                in_space(|from, to, matrix| {
+                    black_box($($clip)+(matrix, &[(from, [0; 2]), (to, [0; 2]), (from, [0; 2])]).len())
+                });
+            }
+        )+};
+    }
+    zrow_methods::space_polygons!(clip_face);
+    macro_rules! fill {
+        ($([$name:ident] [$($fill:tt)+])+) => {$(
+            if const { content::is(stringify!($name)) } {
+                in_space(|from, to, matrix| {
+                    let (corners, camera) = black_box(([from, to, from], None::<Camera>));
+                    let corners = corners.map(|vertex| matrix.apply(vertex));
+                    let fill = |camera: Camera| $($fill)+(corners, &camera, &camera.viewport(), keep_span).is_ok();
+                    black_box(camera.map(fill))
+                });
+            }
+        )+};
+    }
+    zrow_methods::homogeneous_triangles!(fill);
+}
+
+fn in_space<T>(clip: impl FnOnce([i16; 3], [i16; 3], &ClipMatrix) -> T) {
+    let (from, to, far, camera) = black_box(([0; 3], [0; 3], I16F16::ONE, None::<Camera>));
+    let matrix = camera.and_then(|camera| ClipMatrix::new(&camera, &Pose::IDENTITY, far).ok());
+    black_box(matrix.map(|matrix| clip(from, to, &matrix)));
 }
 
 /// Clippers against a convex window, checking it included, against polygons, and shapes of pixels against a window.

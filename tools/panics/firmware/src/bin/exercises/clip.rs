@@ -1,5 +1,7 @@
 use zrow::{
-    clip::{Clipper, Contour, Operation, ParametricSegment, Visibility},
+    clip::{
+        ClipMatrix, ClipPlane, ClipPoint, Clipper, Contour, Operation, ParametricSegment, SpaceSegment, Visibility,
+    },
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, Window},
 };
 use zrow_panics_firmware::{any, keep, keep_all};
@@ -17,6 +19,7 @@ pub const EXERCISES: &[fn()] = &[
     boolean_methods,
     booleans::<Sub4>,
     booleans::<Sub8>,
+    space,
 ];
 
 #[inline(never)]
@@ -81,4 +84,36 @@ fn booleans<S: SubPixel + 'static>() {
     keep_all(Contour::<S>::points(any()));
     clone::<Contour<'_, S>>();
     eq::<Operation>();
+}
+
+#[inline(never)]
+fn space() {
+    keep(ClipMatrix::new(any(), any(), any()));
+    keep(ClipMatrix::apply(any(), any()));
+    keep(ClipPoint::is_inside(any()));
+    keep(ClipPoint::on_screen::<Sub4>(any(), any()));
+    keep(ClipPoint::on_screen::<Sub8>(any(), any()));
+    keep(ClipMatrix::planes(any()));
+    keep(ClipPlane::through(any(), any()));
+    macro_rules! clip_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+(any(), any(), any()));)+
+        };
+    }
+    zrow_methods::space_segments!(clip_by_each);
+    zrow_methods::volume_segments!(clip_by_each);
+    macro_rules! clip_faces_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<2>(any(), any()));)+
+        };
+    }
+    zrow_methods::space_polygons!(clip_faces_by_each);
+    keep(SpaceSegment::clip(any(), any()));
+    keep(SpaceSegment::ends(any(), any()));
+    keep(SpaceSegment::attribute(any(), any(), any()));
+    keep(SpaceSegment::vertices(any()));
+    eq::<ClipMatrix>();
+    eq::<ClipPlane>();
+    eq::<SpaceSegment>();
+    eq::<ClipPoint>();
 }

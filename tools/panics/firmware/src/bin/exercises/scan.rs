@@ -28,6 +28,7 @@ pub const EXERCISES: &[fn()] = &[
     located::<SubPoint<Sub8>>,
     filled_triangle::<Sub4>,
     filled_triangle::<Sub8>,
+    homogeneous_triangle,
     styles,
 ];
 
@@ -149,6 +150,16 @@ fn filled_triangle<S: SubPixel>() {
         };
     }
     zrow_methods::triangles!(fill_by_each);
+}
+
+#[inline(never)]
+fn homogeneous_triangle() {
+    macro_rules! fill_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<Failure>(any(), any(), any(), take));)+
+        };
+    }
+    zrow_methods::homogeneous_triangles!(fill_by_each);
 }
 
 #[inline(never)]
