@@ -18,6 +18,7 @@ mod looks;
 mod number_range;
 mod numbered_scene;
 mod orientations;
+mod pairs;
 mod passes;
 mod picture_items;
 mod projection;
