@@ -22,6 +22,7 @@ mod number_range;
 mod numbered_scene;
 mod orientations;
 mod orthographic;
+mod pairs;
 mod passes;
 mod picture_items;
 mod projection;

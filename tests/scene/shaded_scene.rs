@@ -13,8 +13,8 @@ use zrow::{
     geometry::{SubPixel, TooSmall},
     scene::{Camera, FaceSet, Look, Memory, Model, Pose, Prepared},
     shade::{
-        DirectionalLight, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Perspective, Shading, Texels,
-        Textured, TexturedSkin,
+        Bilinear, Blinn, Clamped, CutOut, DirectionalLight, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage,
+        Lambert, LitTextured, LitTexturedSkin, Perspective, PointLight, Shading, Texels, Textured, TexturedSkin,
     },
 };
 
@@ -231,6 +231,79 @@ impl Skinned for LitTextured<Texels<Rgb565, 16, 16>> {
             lights: lights(data),
         };
         Model::with_skin(mesh.face_set(), skin).unwrap()
+    }
+}
+
+/// Indices of four colours of a palette, one of which is a hole for some textures.
+static INDICES: [[u8; 2]; 8] = [
+    [0x1b, 0xe4],
+    [0xff, 0x50],
+    [0x3c, 0xc3],
+    [0xaa, 0x05],
+    [0x72, 0x8d],
+    [0x0f, 0xf1],
+    [0x99, 0x66],
+    [0x58, 0x2b],
+];
+static PALETTE: [u16; 4] = [0xf81f, 0xffe0, 0x07ff, 0x8410];
+
+/// A texture of four colours.
+pub type FourColors = Indexed<Rgb565, 2, 8, 4>;
+
+macro_rules! skinned_by_palette {
+    ($($texture:ty),+) => {$(
+        impl Skinned for Textured<$texture> {
+            fn model<'a>(mesh: &'a Mesh, data: &'a VertexData) -> Model<'a, Self> {
+                let image = IndexedImage {
+                    indices: &INDICES,
+                    palette: &PALETTE,
+                };
+                let coordinates = &data.coordinates;
+                Model::with_skin(mesh.face_set(), TexturedSkin { image, coordinates }).unwrap()
+            }
+        }
+    )+};
+}
+skinned_by_palette!(FourColors, CutOut<FourColors>, Bilinear<Clamped<CutOut<FourColors>>>);
+
+/// Directional light, a light from a point and highlights.
+pub type Shiny = Blinn<1, 1>;
+
+impl Skinned for Gouraud<Rgb565, Shiny> {
+    fn model<'a>(mesh: &'a Mesh, data: &'a VertexData) -> Model<'a, Self> {
+        let point = PointLight {
+            position: [-300, 500, 400].map(I16F16::from_num),
+            intensity: U0F16::MAX,
+            half_distance: 900,
+        };
+        let Lambert { ambient, lights, .. } = lights(data);
+        let skin = GouraudSkin {
+            colors: &data.colors,
+            normals: &data.normals,
+            lights: Blinn {
+                diffuse: Lambert {
+                    ambient,
+                    lights,
+                    points: [point],
+                },
+                strength: U0F16::from_num(0.5),
+                sharpness: 3,
+            },
+        };
+        Model::with_skin(mesh.face_set(), skin).unwrap()
+    }
+}
+
+impl<H: Skinned<Color = Rgb565>> Skinned for Foggy<H> {
+    fn model<'a>(mesh: &'a Mesh, data: &'a VertexData) -> Model<'a, Self> {
+        // Each model in a fog of its own, so that pictures tell them apart.
+        let fog = Fog {
+            color: data.colors.first().copied().unwrap_or(Rgb565::WHITE),
+            start: I16F16::from_num(900 + i32::from(data.normals.first().map_or(0, |normal| normal[0]))),
+            end: I16F16::from_num(2_400),
+            curve: Fog::LINEAR,
+        };
+        Model::with_skin(mesh.face_set(), (*H::model(mesh, data).skin(), fog)).unwrap()
     }
 }
 

@@ -11,14 +11,14 @@ use zrow::{
     band::{Band, BandColor},
     draw::{Picture, PictureSlot},
     scene::{Camera, Deep, Fine, Look, Memory, Model, Pose, Prepared, SceneItem},
-    shade::{Gouraud, LitTextured, Texels, Textured},
+    shade::{Bilinear, Clamped, CutOut, Foggy, Gouraud, LitTextured, Texels, Textured},
 };
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
 use crate::depth_row::{faces, pose};
 use crate::numbered_scene::area;
-use crate::shaded_scene::{Even, InSpace, Skinned, VertexData, vertex_data};
+use crate::shaded_scene::{Even, FourColors, InSpace, Shiny, Skinned, VertexData, vertex_data};
 use crate::snapped_faces::camera;
 
 const WIDTH: usize = 48;
@@ -166,6 +166,9 @@ fn check_all(meshes: &[Mesh; 2], data: &[VertexData; 2], pose: Pose, camera: &Ca
     check::<Gouraud<Rgb565>>(meshes, data, pose, camera);
     check::<Textured<Texels<Rgb565, 16, 16>>>(meshes, data, pose, camera);
     check::<LitTextured<Texels<Rgb565, 16, 16>>>(meshes, data, pose, camera);
+    check::<Textured<Bilinear<Clamped<CutOut<FourColors>>>>>(meshes, data, pose, camera);
+    check::<Foggy<Textured<CutOut<FourColors>>>>(meshes, data, pose, camera);
+    check::<Foggy<Gouraud<Rgb565, Shiny>>>(meshes, data, pose, camera);
     check::<Even<2>>(meshes, data, pose, camera);
     check::<InSpace<2>>(meshes, data, pose, camera);
     check::<InSpace<2, 16>>(meshes, data, pose, camera);

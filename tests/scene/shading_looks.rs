@@ -14,12 +14,12 @@ use zrow::{
         Counted, Deep, DepthWidth, Fine, Frame, Look, Memory, Model, OnePass, Pose, Rotation, ScreenPrecision,
         Unhurried, Whole,
     },
-    shade::{Attributes, Gouraud, LitTextured, Shading, Texels, Textured},
+    shade::{Attributes, Bilinear, Clamped, CutOut, Foggy, Gouraud, LitTextured, Shading, Texels, Textured},
 };
 
 use crate::common::{config, meshes};
 use crate::numbered_scene::area;
-use crate::shaded_scene::{Skinned, VertexData, vertex_data};
+use crate::shaded_scene::{FourColors, Shiny, Skinned, VertexData, vertex_data};
 use crate::snapped_faces::{at, camera, standard_pose};
 
 /// A look of a shading that is named in full.
@@ -133,6 +133,21 @@ fn every_pair_of_wrappers_goes_around_lit_textures() {
     check_pairs::<LitTextured<Texels<Rgb565, 16, 16>>>();
 }
 
+#[test]
+fn every_pair_of_wrappers_goes_around_palettes_and_holes() {
+    check_pairs::<Textured<FourColors>>();
+    check_pairs::<Textured<CutOut<FourColors>>>();
+    check_pairs::<Textured<Bilinear<Clamped<CutOut<FourColors>>>>>();
+}
+
+#[test]
+fn every_pair_of_wrappers_goes_around_highlights_and_fog() {
+    check_pairs::<Gouraud<Rgb565, Shiny>>();
+    check_pairs::<Foggy<Gouraud<Rgb565>>>();
+    check_pairs::<Foggy<LitTextured<Texels<Rgb565, 16, 16>>>>();
+    check_pairs::<Foggy<Textured<CutOut<FourColors>>>>();
+}
+
 /// A scene that needs neither cuts nor passes is the same picture without them, and what needs them is an error.
 fn check_refusals<H: Skinned<Color = Rgb565>>() {
     let (plain, whole, one_pass) = (outcome::<H>(), outcome::<Whole<H>>(), outcome::<OnePass<H>>());
@@ -157,6 +172,8 @@ fn shaded_looks_refuse_what_they_do_without() {
     check_refusals::<Gouraud<Rgb565>>();
     check_refusals::<Textured<Texels<Rgb565, 16, 16>>>();
     check_refusals::<LitTextured<Texels<Rgb565, 16, 16>>>();
+    check_refusals::<Textured<CutOut<FourColors>>>();
+    check_refusals::<Foggy<Gouraud<Rgb565, Shiny>>>();
 }
 
 /// What a shading keeps of a vertex is its attributes, and a flat one keeps nothing.

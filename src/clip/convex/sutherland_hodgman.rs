@@ -32,9 +32,9 @@ pub trait CutAttributes: Copy {
     /// Whether they vary evenly in space, and on the screen only when they are multiplied by the depth.
     const NEED_DEPTH: bool;
 
-    /// The attributes of a point between two corners, `part / whole` of the way from one to the other, for a part that is not
-    /// greater than the whole.
-    fn between(from: &Self, to: &Self, part: u64, whole: NonZeroU64) -> Self;
+    /// The attributes of a point between two corners: how far it is from the first and from the second one, in any unit, and the depths
+    /// of both, which are 1 where ways are ways in space. Where both ways are 0, those of the first corner.
+    fn between(from: &Self, to: &Self, ways: [u64; 2], depths: [u64; 2]) -> Self;
 }
 
 /// A plane across one axis, and the side of it that is kept.
@@ -110,12 +110,8 @@ impl Plane {
                 1
             }
         };
-        let (part, rest) = (part * depth(outside), rest * depth(inside));
-        // The ends are on two sides of the plane, and a depth is not 0.
-        match NonZeroU64::new(part + rest) {
-            Some(whole) => A::between(&inside.attributes, &outside.attributes, part, whole),
-            None => inside.attributes,
-        }
+        let depths = [depth(inside), depth(outside)];
+        A::between(&inside.attributes, &outside.attributes, [part, rest], depths)
     }
 }
 

@@ -101,7 +101,7 @@ impl CutAttributes for () {
     const NEED_DEPTH: bool = false;
 
     #[inline]
-    fn between((): &(), (): &(), _: u64, _: NonZeroU64) {}
+    fn between((): &(), (): &(), _: [u64; 2], _: [u64; 2]) {}
 }
 
 impl Planes for () {
@@ -147,7 +147,11 @@ impl<const N: usize> CutAttributes for [i16; N] {
     const NEED_DEPTH: bool = false;
 
     #[inline(never)]
-    fn between(from: &Self, to: &Self, part: u64, whole: NonZeroU64) -> Self {
+    fn between(from: &Self, to: &Self, [part, rest]: [u64; 2], _: [u64; 2]) -> Self {
+        // The ends are on two sides of a plane, and a depth is not 0.
+        let Some(whole) = NonZeroU64::new(part + rest) else {
+            return *from;
+        };
         // So that a product with a change, which is below 2^16, fits 64 bits; what is cut off changes no attribute by 2^-29.
         let shift = 18u32.saturating_sub(whole.leading_zeros());
         let (part, whole) = (part >> shift, whole.get() >> shift);
@@ -219,10 +223,10 @@ impl<A: Attributes, B: Attributes> Attributes for (A, B) {
 impl<A: CutAttributes, B: CutAttributes> CutAttributes for (A, B) {
     const NEED_DEPTH: bool = A::NEED_DEPTH || B::NEED_DEPTH;
 
-    fn between(from: &Self, to: &Self, part: u64, whole: NonZeroU64) -> Self {
+    fn between(from: &Self, to: &Self, ways: [u64; 2], depths: [u64; 2]) -> Self {
         (
-            A::between(&from.0, &to.0, part, whole),
-            B::between(&from.1, &to.1, part, whole),
+            A::between(&from.0, &to.0, ways, depths),
+            B::between(&from.1, &to.1, ways, depths),
         )
     }
 }

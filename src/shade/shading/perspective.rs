@@ -15,7 +15,7 @@
 //! Source: Heckbert and Moreton (1991), "Interpolation for polygon texture mapping and shading"; a division every 16 pixels as in
 //! Abrash (1997), "Graphics programming black book", chapter 68.
 
-use core::num::{NonZeroU64, Wrapping};
+use core::num::Wrapping;
 
 use crate::{
     clip::convex::CutAttributes,
@@ -57,8 +57,10 @@ impl<const N: usize> Attributes for Perspective<N> {
 impl<const N: usize> CutAttributes for Perspective<N> {
     const NEED_DEPTH: bool = true;
 
-    fn between(from: &Self, to: &Self, part: u64, whole: NonZeroU64) -> Self {
-        Self(CutAttributes::between(&from.0, &to.0, part, whole))
+    fn between(from: &Self, to: &Self, [part, rest]: [u64; 2], [depth_from, depth_to]: [u64; 2]) -> Self {
+        // On the screen each end has the weight of its depth.
+        let ways = [part * depth_to, rest * depth_from];
+        Self(CutAttributes::between(&from.0, &to.0, ways, [1; 2]))
     }
 }
 

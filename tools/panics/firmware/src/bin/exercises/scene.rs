@@ -9,16 +9,19 @@ use zrow::{
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{
-        Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Orthographic, Prepared, SceneItem,
-        ScreenPrecision, Whole,
+        Counted, Counters, Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Orthographic,
+        Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
-    shade::{FlatLit, Gouraud, Lambert, LitTextured, Shading, Texels, Textured, Transformed},
+    shade::{
+        Bilinear, Blinn, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading, Texels,
+        Textured, Transformed,
+    },
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
 
 use crate::{
-    foreign::{clone, default},
+    foreign::{clone, default, eq},
     shade::{EvenStripes, Stripes},
 };
 
@@ -38,6 +41,10 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<Textured<Texels<Rgb565, 64, 64>>>,
     shaded::<LitTextured<Texels<Rgb565, 64, 64>>>,
     shaded::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>,
+    shaded::<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>,
+    shaded::<LitTextured<Bilinear<Clamped<Texels<Rgb565, 64, 64>>>, Blinn<1, 1>>>,
+    shaded::<Foggy<Rgb565>>,
+    shaded::<Foggy<Gouraud<Rgb565, Lambert<1, 1>>>>,
     shaded::<EvenStripes>,
     shaded::<Stripes>,
     shaded::<Transformed<Gouraud<Rgb565>>>,
@@ -45,6 +52,9 @@ pub const EXERCISES: &[fn()] = &[
     look::<Whole<Fine<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>>,
     look::<Deep<Transformed<FlatLit<Gray4>>>>,
     look::<Orthographic<Rgb565>>,
+    look::<Counted<Rgb565>>,
+    look::<Unhurried<Counted<LitTextured<Texels<Rgb565, 64, 64>>>>>,
+    counted,
     look::<Whole<Orthographic<Deep<Gouraud<Rgb565>>>>>,
     look::<Orthographic<Fine<LitTextured<Texels<Rgb565, 64, 64>>>>>,
     orthographic_depths,
@@ -93,6 +103,13 @@ fn orthographic_depths() {
 }
 
 /// A shading, whose faces are cut or not, at each precision and width of depths, in passes and not.
+#[inline(never)]
+fn counted() {
+    keep(Prepared::<Counted<Rgb565>>::counters(any()));
+    default::<Counters>();
+    eq::<Counters>();
+}
+
 #[inline(never)]
 fn shaded<H: Shading>() {
     look::<H>();

@@ -6,7 +6,7 @@ use zrow::{
 };
 use zrow_panics_firmware::{any, keep};
 
-use crate::foreign::eq;
+use crate::foreign::{eq, from};
 
 pub const EXERCISES: &[fn()] = &[
     affine,
@@ -25,7 +25,7 @@ fn affine() {
     keep(Affine::then(any(), any()));
     keep(Affine::inverse(any()));
     keep(Affine::normals(any()));
-    keep(Affine::from(any::<Pose>()));
+    from::<Pose, Affine>();
     eq::<Affine>();
 }
 
