@@ -72,12 +72,10 @@ fn drawn<L: Look<Color = Rgb888>>(
 /// A model of each single face, in the order of models and faces.
 fn single(meshes: &[Mesh]) -> Vec<(usize, Mesh)> {
     let each = |(index, mesh): (usize, &Mesh)| {
-        let faces = mesh
-            .faces
+        mesh.faces
             .iter()
             .map(|face| (index, Mesh::new(mesh.vertices.clone(), vec![*face])))
-            .collect::<Vec<_>>();
-        faces
+            .collect::<Vec<_>>()
     };
     meshes.iter().enumerate().flat_map(each).collect()
 }

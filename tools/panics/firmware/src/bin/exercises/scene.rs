@@ -12,7 +12,10 @@ use zrow::{
         Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Prepared, SceneItem, ScreenPrecision,
         Whole,
     },
-    shade::{FlatLit, Gouraud, Lambert, LitTextured, Shading, Texels, Textured},
+    shade::{
+        Bilinear, Blinn, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading, Texels,
+        Textured,
+    },
 };
 use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
@@ -38,6 +41,10 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<Textured<Texels<Rgb565, 64, 64>>>,
     shaded::<LitTextured<Texels<Rgb565, 64, 64>>>,
     shaded::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>,
+    shaded::<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>,
+    shaded::<LitTextured<Bilinear<Clamped<Texels<Rgb565, 64, 64>>>, Blinn<1, 1>>>,
+    shaded::<Foggy<Rgb565>>,
+    shaded::<Foggy<Gouraud<Rgb565, Lambert<1, 1>>>>,
     shaded::<EvenStripes>,
     shaded::<Stripes>,
     model,

@@ -5,16 +5,17 @@ use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, Order, Target},
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
     geometry::TooSmall,
-    scene::{FaceSet, Pose},
+    scene::{Camera, FaceSet, Pose},
     shade::{
-        Attributes, BlendTarget, ChannelColor, ConeFilter, DirectionalLight, FlatLit, FlatLitSkin, Gouraud,
-        GouraudSkin, Lambert, LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective,
-        RadialGradient, Ramp, SampleFilter, SampleTarget, Shading, Texels, Textured, TexturedSkin,
+        Attributes, Bilinear, BlendTarget, Blinn, ChannelColor, Clamped, ConeFilter, CutOut, DirectionalLight, FlatLit,
+        FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting, LinearGradient,
+        LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, PointLight, RadialGradient, Ramp, ReflectedLight,
+        SampleFilter, SampleTarget, Sampler, Shading, Texels, Texture, Textured, TexturedSkin,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
 
-use crate::foreign::{default, eq};
+use crate::foreign::{clone, default, eq};
 
 pub const EXERCISES: &[fn()] = &[
     channel_color::<BinaryColor>,
@@ -69,7 +70,27 @@ pub const EXERCISES: &[fn()] = &[
     shading::<Textured<Texels<Rgb565, 64, 64>>>,
     shading::<LitTextured<Texels<Rgb565, 64, 64>>>,
     shading::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<16>>>,
+    shading::<Textured<Indexed<Rgb565, 8, 32, 2>>>,
+    shading::<Textured<Bilinear<Clamped<CutOut<Indexed<Rgb888, 32, 32, 256>>>>>>,
+    shading::<LitTextured<CutOut<Indexed<Rgb565, 16, 64, 16>>, Blinn<1, 1>>>,
+    shading::<Gouraud<Rgb565, Lambert<1, 2>>>,
+    shading::<FlatLit<Rgb888, Blinn<2, 3>>>,
+    shading::<Foggy<Rgb565>>,
+    shading::<Foggy<Gouraud<Rgb888, Blinn<1>>>>,
+    shading::<Foggy<LitTextured<Bilinear<Texels<Rgb565, 64, 64>>>>>,
     shading::<Stripes>,
+    attributes::<([i16; 2], Perspective<1>)>,
+    lighting::<Lambert<0>>,
+    lighting::<Lambert<2, 2>>,
+    lighting::<Blinn<2, 2>>,
+    texture::<Texels<Gray8, 1, 4096>>,
+    texture::<Texels<Rgb565, 64, 64>>,
+    texture::<Indexed<Rgb565, 1, 1, 2>>,
+    texture::<Indexed<Rgb565, 8, 8, 4>>,
+    texture::<Indexed<Rgb888, 8, 8, 16>>,
+    texture::<CutOut<Indexed<Rgb888, 64, 8, 256>>>,
+    texture::<Clamped<Texels<Rgb565, 2, 2>>>,
+    sampler::<Bilinear<Texels<Rgb565, 64, 64>>>,
 ];
 
 #[inline(never)]
@@ -170,14 +191,20 @@ fn lights() {
     keep(DirectionalLight::from_direction(any(), any()));
     eq::<DirectionalLight>();
     eq::<Lambert<2>>();
+    eq::<Lambert<2, 2>>();
+    eq::<PointLight>();
+    eq::<Blinn<1, 1>>();
+    eq::<ReflectedLight>();
+    eq::<Fog<'_, Rgb565>>();
+    eq::<IndexedImage<'_, Rgb565, 8, 8, 4>>();
 }
 
 #[inline(never)]
 fn skins() {
     eq::<FlatLitSkin<'_, Rgb565>>();
     eq::<GouraudSkin<'_, Rgb565>>();
-    eq::<TexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
-    eq::<LitTexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
+    clone::<TexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
+    clone::<LitTexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
     eq::<Perspective<2>>();
 }
 
@@ -194,6 +221,28 @@ fn shading<H: Shading>() {
     keep(<H as Shading>::face(any(), any(), any(), any()));
     keep(<H as Shading>::fragment(any(), any(), any()));
     keep(H::TOLERANCE);
+}
+
+#[inline(never)]
+fn lighting<L: Lighting>() {
+    keep(<L as Lighting>::seen_from(any(), any(), any()));
+    keep(<L as Lighting>::reflected(any(), any(), any()));
+    keep(L::NEEDS_NORMALS);
+    keep(L::NEEDS_POSITIONS);
+}
+
+#[inline(never)]
+fn texture<T: Texture<Color: ChannelColor>>() {
+    keep(<T as Texture>::texel(any(), any(), any()));
+    keep(<T as Texture>::column(any()));
+    keep(<T as Texture>::row(any()));
+    sampler::<T>();
+    sampler::<Bilinear<T>>();
+}
+
+#[inline(never)]
+fn sampler<T: Sampler>() {
+    keep(<T as Sampler>::sample(any(), any()));
 }
 
 /// A program's own shading, in perspective.
@@ -230,12 +279,13 @@ macro_rules! own_shading {
             }
 
             fn fragment(skin: &Self::Skin<'_>, face: u16, values: &$values) -> Option<u16> {
-                values
+                let word = values
                     .iter()
                     .fold(face, |word, value| match skin.get(*value as usize) {
                         Some(color) => word ^ color.to_word(),
                         None => word,
-                    })
+                    });
+                (word != 0).then_some(word)
             }
         }
     };
