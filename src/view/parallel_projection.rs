@@ -56,7 +56,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 
     /// Depth of a plane at that distance; the near plane's for anything nearer, the far plane's for anything farther away.
     pub(crate) fn parallel_depth_at(&self, distance: I16F16) -> D {
-        self.parallel_depth((distance.to_bits() >> 4).clamp(self.near, self.far))
+        self.parallel_depth((distance.to_bits() >> 4).min(self.far).max(self.near))
     }
 
     /// Depth at a distance between the near and the far plane.

@@ -113,7 +113,7 @@ impl<U> FogOfModel<U> {
         // Not farther than 63 times the way: the product is below 2^55, and what is interpolated does not wrap.
         let distance = self.axis.distance(position) - i64::from(self.start);
         let farthest = FARTHEST * self.way;
-        let distance = distance.clamp(-farthest, farthest);
+        let distance = distance.min(farthest).max(-farthest);
         ((distance * self.per_unit) >> 40) as i16
     }
 }

@@ -69,8 +69,10 @@ impl Ends {
 
     /// The outcode of a point between the ends.
     fn outcode_at(&self, cut: &Fraction) -> u8 {
-        let planes = self.from.iter().zip(self.to).rev();
-        planes.fold(0, |code, (&from, to)| code << 1 | u8::from(cut.is_below_zero(from, to)))
+        let planes = self.from.into_iter().zip(self.to).enumerate();
+        planes.fold(0, |code, (plane, (from, to))| {
+            code | u8::from(cut.is_below_zero(from, to)) << plane
+        })
     }
 }
 

@@ -44,13 +44,13 @@ impl ClipMatrix {
         for plane in self.planes() {
             polygon = cut(&polygon, |position| distance(&plane, *position), crossing);
         }
-        let corners = polygon.iter();
-        corners
-            .map(|(position, attributes)| {
-                let [x, y, z, w] = self.rows().map(|row| distance(&ClipPlane(row), *position));
-                (ClipPoint { x, y, z, w }, *attributes)
-            })
-            .collect()
+        let mut visible = Vec::new();
+        for (position, attributes) in &polygon {
+            let [x, y, z, w] = self.rows().map(|row| distance(&ClipPlane(row), *position));
+            let pushed = visible.push((ClipPoint { x, y, z, w }, *attributes));
+            debug_assert!(pushed.is_ok(), "nine corners of nine");
+        }
+        visible
     }
 }
 

@@ -13,8 +13,9 @@ use zrow::{
     geometry::{InputError, Window},
     scene::{Camera, Deep, FaceSet, Fine, Look, Memory, Model, Pose, Prepared, Whole},
     shade::{
-        ChannelColor, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured,
-        LitTexturedSkin, Shading, Texels, Textured, TexturedSkin,
+        Bilinear, Blinn, ChannelColor, Clamped, CutOut, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud,
+        GouraudSkin, Indexed, IndexedImage, Lambert, LitTextured, LitTexturedSkin, PointLight, Shading, Texels,
+        Textured, TexturedSkin,
     },
 };
 
@@ -84,6 +85,12 @@ struct Tables<C: BandColor> {
     ambient: U0F16,
     wide: [[C::Word; 8]; 4],
     high: [[C::Word; 1]; 16],
+    indices: [[u8; 2]; 4],
+    palette: [C::Word; 4],
+    points: [PointLight; 2],
+    sharpness: u8,
+    fog: [I16F16; 2],
+    curve: [u8; 64],
     pose: Pose,
 }
 
@@ -148,6 +155,20 @@ impl AnyModel {
             ambient: U0F16::from_bits(self.ambient.0),
             wide: core::array::from_fn(|row| core::array::from_fn(|_| texel(row))),
             high: core::array::from_fn(|row| [texel(row)]),
+            indices: core::array::from_fn(|row| [(self.texels[row] >> 3) as u8, (self.texels[row] >> 13) as u8]),
+            palette: core::array::from_fn(|index| color::<C>(self.texels[index + 1]).to_word()),
+            points: [0, 1].map(|index| {
+                let (position, intensity) = &self.lights[index];
+                PointLight {
+                    // As near to the model as its camera, or anywhere.
+                    position: [0, 1, 2].map(|axis| I16F16::from_bits(position[axis].0)),
+                    intensity: U0F16::from_bits(intensity.0),
+                    half_distance: self.lights[2].1.0,
+                }
+            }),
+            sharpness: self.texels[0] as u8 % 12,
+            fog: [self.lights[2].0[0], self.lights[2].0[1]].map(|distance| I16F16::from_bits(distance.0)),
+            curve: core::array::from_fn(|step| (self.texels[step % 5] >> (step / 3)) as u8 & 63),
             pose: self.pose.get(1_200),
         }
     }
@@ -209,6 +230,81 @@ impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnySha
     }
 }
 
+/// A texture of four colours in rows of two bytes, from the words of a wide one.
+fn indexed<C: BandColor>(tables: &Tables<C>) -> IndexedImage<'_, C, 2, 4, 4> {
+    IndexedImage {
+        indices: &tables.indices,
+        palette: &tables.palette,
+    }
+}
+
+impl<C: ChannelColor + From<<C as PixelColor>::Raw>> AnyShading for Textured<CutOut<Indexed<C, 2, 4, 4>>> {
+    fn skin(tables: &Tables<C>) -> TexturedSkin<'_, CutOut<Indexed<C, 2, 4, 4>>> {
+        TexturedSkin {
+            image: indexed(tables),
+            coordinates: &tables.coordinates,
+        }
+    }
+}
+
+impl<C: ChannelColor + From<<C as PixelColor>::Raw>> AnyShading
+    for LitTextured<Bilinear<Clamped<CutOut<Indexed<C, 2, 4, 4>>>>, Blinn<2, 2>>
+{
+    fn skin(tables: &Tables<C>) -> LitTexturedSkin<'_, Bilinear<Clamped<CutOut<Indexed<C, 2, 4, 4>>>>, Blinn<2, 2>> {
+        LitTexturedSkin {
+            image: indexed(tables),
+            coordinates: &tables.coordinates,
+            normals: &tables.normals,
+            lights: blinn(tables),
+        }
+    }
+}
+
+/// Two lights from a direction and two from a point, with highlights.
+fn blinn<C: BandColor>(tables: &Tables<C>) -> Blinn<2, 2> {
+    Blinn {
+        diffuse: Lambert {
+            ambient: tables.ambient,
+            lights: [tables.lights[0], tables.lights[1]],
+            points: tables.points,
+        },
+        strength: tables.ambient,
+        sharpness: tables.sharpness,
+    }
+}
+
+impl<C: ChannelColor + From<<C as PixelColor>::Raw>> AnyShading for Gouraud<C, Blinn<2, 2>> {
+    fn skin(tables: &Tables<C>) -> GouraudSkin<'_, C, Blinn<2, 2>> {
+        GouraudSkin {
+            colors: &tables.colors,
+            normals: &tables.normals,
+            lights: blinn(tables),
+        }
+    }
+}
+
+impl<C: ChannelColor + From<<C as PixelColor>::Raw>> AnyShading for FlatLit<C, Blinn<2, 2>> {
+    fn skin(tables: &Tables<C>) -> FlatLitSkin<'_, C, Blinn<2, 2>> {
+        FlatLitSkin {
+            colors: &tables.colors,
+            normals: &tables.face_normals,
+            lights: blinn(tables),
+        }
+    }
+}
+
+impl<H: AnyShading<Color: ChannelColor>> AnyShading for Foggy<H> {
+    fn skin(tables: &Tables<H::Color>) -> Self::Skin<'_> {
+        let fog = Fog {
+            color: tables.colors.first().copied().unwrap_or(color(0)),
+            start: tables.fog[0],
+            end: tables.fog[1],
+            curve: &tables.curve,
+        };
+        (H::skin(tables), fog)
+    }
+}
+
 /// Scenes in a shading: the same picture however it is cut into bands, and however many slots there are.
 #[derive(Debug, Arbitrary)]
 pub struct ShadingCase {
@@ -227,6 +323,13 @@ enum Method {
     Textured,
     LitTextured,
     FlatLit,
+    Holes,
+    Mixed,
+    Shiny,
+    ShinyFlat,
+    FoggyFlat,
+    FoggyGouraud,
+    FoggyHoles,
 }
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
@@ -444,6 +547,23 @@ impl Case for ShadingCase {
                 self.check_kind::<Fine<LitTextured<Texels<BinaryColor, 1, 16>>>>()
             }
             (Method::LitTextured, Kind::Rgb888) => self.check_kind::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>(),
+            (Method::Holes, Kind::Rgb888) => self.check_kind::<Textured<CutOut<Indexed<Rgb888, 2, 4, 4>>>>(),
+            (Method::Holes, Kind::FineDeepRgb565) => {
+                self.check_kind::<Fine<Deep<Textured<CutOut<Indexed<Rgb565, 2, 4, 4>>>>>>()
+            }
+            (Method::Holes, _) => self.check_kind::<Textured<CutOut<Indexed<Rgb565, 2, 4, 4>>>>(),
+            (Method::Mixed, _) => {
+                self.check_kind::<LitTextured<Bilinear<Clamped<CutOut<Indexed<Rgb565, 2, 4, 4>>>>, Blinn<2, 2>>>()
+            }
+            (Method::Shiny, Kind::DeepGray8) => self.check_kind::<Deep<Gouraud<Gray8, Blinn<2, 2>>>>(),
+            (Method::Shiny, _) => self.check_kind::<Gouraud<Rgb565, Blinn<2, 2>>>(),
+            (Method::ShinyFlat, _) => self.check_kind::<FlatLit<Rgb888, Blinn<2, 2>>>(),
+            (Method::FoggyFlat, _) => self.check_kind::<Foggy<FlatLit<Rgb565>>>(),
+            (Method::FoggyGouraud, Kind::FineDeepRgb565) => {
+                self.check_kind::<Fine<Deep<Foggy<Gouraud<Rgb565, Blinn<2, 2>>>>>>()
+            }
+            (Method::FoggyGouraud, _) => self.check_kind::<Foggy<Gouraud<Rgb565>>>(),
+            (Method::FoggyHoles, _) => self.check_kind::<Foggy<Textured<CutOut<Indexed<Rgb565, 2, 4, 4>>>>>(),
         }
     }
 }

@@ -5,7 +5,7 @@ use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, Order, Target},
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
     geometry::TooSmall,
-    scene::{FaceSet, Pose},
+    scene::{Camera, FaceSet, Pose},
     shade::{
         Attributes, Bilinear, BlendTarget, Blinn, ChannelColor, Clamped, ConeFilter, CutOut, DirectionalLight, FlatLit,
         FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting, LinearGradient,
@@ -15,7 +15,7 @@ use zrow::{
 };
 use zrow_panics_firmware::{any, items, keep};
 
-use crate::foreign::{default, eq};
+use crate::foreign::{clone, default, eq};
 
 pub const EXERCISES: &[fn()] = &[
     channel_color::<BinaryColor>,
@@ -208,8 +208,8 @@ fn lights() {
 fn skins() {
     eq::<FlatLitSkin<'_, Rgb565>>();
     eq::<GouraudSkin<'_, Rgb565>>();
-    eq::<TexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
-    eq::<LitTexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
+    clone::<TexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
+    clone::<LitTexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
     eq::<Perspective<2>>();
 }
 
@@ -287,12 +287,13 @@ macro_rules! own_shading {
             }
 
             fn fragment(skin: &Self::Skin<'_>, face: u16, values: &$values) -> Option<u16> {
-                values
+                let word = values
                     .iter()
                     .fold(face, |word, value| match skin.get(*value as usize) {
                         Some(color) => word ^ color.to_word(),
                         None => word,
-                    })
+                    });
+                (word != 0).then_some(word)
             }
         }
     };
