@@ -1,5 +1,5 @@
-//! Turns the Utah teapot with a texture under a light through eight steps, each drawn through one row of colours and one of depths,
-//! and writes the last one to `target/teapot.png`.
+//! Turns the Utah teapot with a texture under a light through eight steps, each drawn through one row of colours and one of
+//! depths, and writes the last one to `target/teapot.png`.
 //!
 //! `cargo run --release --example teapot`
 

@@ -8,8 +8,8 @@ use zrow::{
     scene::{DepthWidth, Look, ScreenPrecision},
 };
 
-/// The look of a precision `S` and depths `D`, whose faces are cut where `CLIPS` says so, and whose rows with more faces than slots are
-/// drawn in passes where `PASSES` does.
+/// The look of a precision `S` and depths `D`, whose faces are cut where `CLIPS` says so, and whose rows with more faces than
+/// slots are drawn in passes where `PASSES` does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LookOf<C, S = Sub4, D = u16, const CLIPS: bool = true, const PASSES: bool = true>(PhantomData<(C, S, D)>);
 

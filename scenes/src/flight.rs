@@ -1,5 +1,5 @@
-//! A flight around a clearing in the fog: the ground in perspective, cut at the near plane, and firs on two triangles each, with
-//! holes, which turn to the viewer.
+//! A flight around a clearing in the fog: the ground in perspective, cut at the near plane, and firs on two triangles each,
+//! with holes, which turn to the viewer.
 
 use core::fmt;
 

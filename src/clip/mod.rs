@@ -24,8 +24,8 @@
 //! | circle | pixels | [`circle_against_window`](Visibility::circle_against_window) | many circles are off the screen, or larger than it |
 //! | rectangle | pixels | [`rectangle_against_window`](Visibility::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!
-//! In space, [`ClipMatrix`] takes vertices to homogeneous clip coordinates, and [`ClipPoint::on_screen`] divides them: the textbook's
-//! way to the screen, which scenes shorten. What a triangle looks like that is not clipped at all,
+//! In space, [`ClipMatrix`] takes vertices to homogeneous clip coordinates, and [`ClipPoint::on_screen`] divides them: the
+//! textbook's way to the screen, which scenes shorten. What a triangle looks like that is not clipped at all,
 //! [`Polygons::homogeneous_triangle`](crate::scan::Polygons::homogeneous_triangle) shows.
 //!
 //! All clippers of segments give the same integers in an upright window, and in space the same exact parts.

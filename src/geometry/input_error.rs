@@ -11,8 +11,8 @@ use crate::geometry::TooSmall;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum InputError {
-    /// A coordinate lies outside the domain of its precision, or of what can be computed: move or cut the shape first. Also of a
-    /// corner or a viewport, as a `SubPoint` whose fields were set directly can.
+    /// A coordinate lies outside the domain of its precision, or of what can be computed: move or cut the shape first. Also of
+    /// a corner or a viewport, as a `SubPoint` whose fields were set directly can.
     OutOfDomain {
         /// The smallest pixel coordinate that would do.
         min: i32,
@@ -72,12 +72,13 @@ pub enum InputError {
     ViewportOutOfDomain,
     /// The focal length of a camera must be between 1 and 2047 pixels.
     FocalLengthOutOfDomain,
-    /// An axis, a direction or a quaternion has no length, or `up` has the direction that something looks in: choose another one.
+    /// An axis, a direction or a quaternion has no length, or `up` has the direction that something looks in: choose another
+    /// one.
     NoDirection,
     /// A position, after it was turned or moved, is more than 32,767 units from the origin: choose a coarser unit.
     PositionOutOfDomain,
-    /// An affine map stretches by 128 or more, or flattens space, so that nothing undoes it: choose smaller factors, or coarser units.
-    /// Or the scale of a [`Camera`](crate::scene::Camera) is not above 0.
+    /// An affine map stretches by 128 or more, or flattens space, so that nothing undoes it: choose smaller factors, or coarser
+    /// units. Or the scale of a [`Camera`](crate::scene::Camera) is not above 0.
     ScaleOutOfDomain,
     /// A model that an affine map stretches reaches more than 262,143 units from the camera: choose a coarser unit.
     ModelOutOfDomain {

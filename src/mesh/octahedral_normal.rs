@@ -11,10 +11,11 @@
 //!  127  +----+----+
 //! ```
 //!
-//! Source: Meyer, Suessmuth, Sussner, Stamminger, Greiner (2010), "On floating-point normal vectors"; Cigolle and others (2014).
+//! Source: Meyer, Suessmuth, Sussner, Stamminger, Greiner (2010), "On floating-point normal vectors"; Cigolle and others
+//! (2014).
 
-/// The direction of a normal that is stored in two bytes, as a vector of length 1 in 2.14: within 4 units of 1/16,384 of the exact
-/// direction of the two bytes. Cost: 9 multiplications and no division.
+/// The direction of a normal that is stored in two bytes, as a vector of length 1 in 2.14: within 4 units of 1/16,384 of the
+/// exact direction of the two bytes. Cost: 9 multiplications and no division.
 #[inline]
 pub(crate) fn unit_normal(bytes: [i8; 2]) -> [i32; 3] {
     let [x, y, z] = normal(bytes);

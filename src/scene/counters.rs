@@ -1,13 +1,14 @@
 //! Counters of a frame: what was there to do, what was left out, and what was done.
 //!
-//! They lie in the prepared frame and nowhere else, and only where a look [counts](crate::scene::Counted): otherwise their type is
-//! `()`, and what adds to them is no code.
+//! They lie in the prepared frame and nowhere else, and only where a look [counts](crate::scene::Counted): otherwise their type
+//! is `()`, and what adds to them is no code.
 
 use core::{cell::Cell, fmt::Debug};
 
 use crate::visible::Count;
 
-/// What a frame took: what there was, what was left out, and what was done, in a look that is [`Counted`](crate::scene::Counted).
+/// What a frame took: what there was, what was left out, and what was done, in a look that is
+/// [`Counted`](crate::scene::Counted).
 ///
 /// Numbers of faces are those of the whole frame; the others are of the rows that were drawn since it was prepared.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]

@@ -14,8 +14,8 @@ use crate::{
 /// A slot of the active list.
 type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 
-/// All memory of a scene but for its meshes and the rows of colours: what is prepared once a frame, and the depth row. It is the
-/// one type that names the capacities; what is done with it has one parameter, the [`Look`].
+/// All memory of a scene but for its meshes and the rows of colours: what is prepared once a frame, and the depth row. It is
+/// the one type that names the capacities; what is done with it has one parameter, the [`Look`].
 ///
 /// - `L`: what pictures are made of; a colour, such as `Rgb565`, another [`Shading`](crate::shade::Shading), or a wrapped [`Look`].
 /// - `VERTICES`: vertices of all models ([`FaceSet::vertices_of`](crate::scene::FaceSet::vertices_of)), and where faces are cut
@@ -27,8 +27,9 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 ///   faces is drawn in passes ([`Look::DRAWS_IN_PASSES`]): the picture is the same, and takes longer.
 ///   [`Prepared::active_needed`] says with how many each row takes one pass.
 ///
-/// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 52 an active face, and 48. What varies over faces
-/// takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) and 12 an active face. All zero bits when new, so that a `static` lies in `.bss`.
+/// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 52 an active face, and 48. What varies over
+/// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) and 12 an active face. All zero bits
+/// when new, so that a `static` lies in `.bss`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;

@@ -4,9 +4,9 @@
 //! Preparing it takes a [`Camera`] and [`Model`]s and finds everything that can go wrong; drawing what is prepared cannot fail.
 //! The capacities are named once, in its type; functions that take the memory of any scene take a [`Frame`].
 //!
-//! What pictures are made of is a [`Look`], the memory's first parameter: a colour, another [`Shading`](crate::shade::Shading) such
-//! as [`Gouraud`](crate::shade::Gouraud), or a wrapper around another look that changes one thing, such as [`Whole`] for objects that always stay in front of the camera. What a look does not name takes no flash, no
-//! RAM and no time.
+//! What pictures are made of is a [`Look`], the memory's first parameter: a colour, another [`Shading`](crate::shade::Shading)
+//! such as [`Gouraud`](crate::shade::Gouraud), or a wrapper around another look that changes one thing, such as [`Whole`] for
+//! objects that always stay in front of the camera. What a look does not name takes no flash, no RAM and no time.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};

@@ -6,8 +6,8 @@ use crate::{geometry::TooSmall, mesh::FaceSet, shade::Shading, surface::BandColo
 
 /// A face set, what its [`Shading`] takes, such as a colour for each face, and where it is.
 ///
-/// `H` is the [`Shading`] of the scene's look; a colour, such as `Rgb565`, where each face has one. A model is turned and moved by its
-/// pose; one that is stretched or mirrored as well has a [`Transformed`](crate::shade::Transformed) shading.
+/// `H` is the [`Shading`] of the scene's look; a colour, such as `Rgb565`, where each face has one. A model is turned and moved
+/// by its pose; one that is stretched or mirrored as well has a [`Transformed`](crate::shade::Transformed) shading.
 pub struct Model<'a, H: Shading> {
     mesh: FaceSet<'a>,
     skin: H::Skin<'a>,
@@ -82,8 +82,8 @@ fn is_mirrored<H: Shading>(skin: &H::Skin<'_>) -> bool {
     H::HAS_AFFINE_MAP && H::affine(skin).is_mirrored()
 }
 
-/// The corners of a face of a model with this skin, in the order in which they run clockwise when it is seen from its outside: that of the
-/// mesh, or the other way round where a map mirrors it.
+/// The corners of a face of a model with this skin, in the order in which they run clockwise when it is seen from its outside:
+/// that of the mesh, or the other way round where a map mirrors it.
 #[inline]
 pub(super) fn outward<H: Shading, T>(skin: &H::Skin<'_>, [a, b, c]: [T; 3]) -> [T; 3] {
     if is_mirrored::<H>(skin) { [a, c, b] } else { [a, b, c] }

@@ -10,13 +10,13 @@ use crate::{
 };
 
 impl Camera {
-    /// The camera with its near plane as far away as it may be in front of all vertices of some models, where they are and as the camera
-    /// is turned now, at any precision of the look. Depths are as much finer as the near plane is farther away: with `u16` and faces at
-    /// 2,000 units, 0.06 units instead of 7.6 where it goes from 8 units to 1,000.
+    /// The camera with its near plane as far away as it may be in front of all vertices of some models, where they are and as
+    /// the camera is turned now, at any precision of the look. Depths are as much finer as the near plane is farther away: with
+    /// `u16` and faces at 2,000 units, 0.06 units instead of 7.6 where it goes from 8 units to 1,000.
     ///
-    /// The distance is that of the nearest vertex, less 1/32,768 of the sum of the sizes of its coordinates and 1/256 unit, which is what
-    /// coarse positions may be rounded by. Where there are no vertices, or none in front of the far plane and nearer than 32,768 units, the near plane
-    /// stays.
+    /// The distance is that of the nearest vertex, less 1/32,768 of the sum of the sizes of its coordinates and 1/256 unit,
+    /// which is what coarse positions may be rounded by. Where there are no vertices, or none in front of the far plane and
+    /// nearer than 32,768 units, the near plane stays.
     ///
     /// Cost: six multiplications a vertex.
     ///

@@ -1,5 +1,5 @@
-//! Vertices off the screen, which are nearer than the near plane, behind the far plane or beyond the guard band: how the table of projected vertices
-//! marks them, and how their faces' corners are computed when a face is cut.
+//! Vertices off the screen, which are nearer than the near plane, behind the far plane or beyond the guard band: how the table
+//! of projected vertices marks them, and how their faces' corners are computed when a face is cut.
 
 use crate::{
     clip::convex::Plane,

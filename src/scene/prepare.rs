@@ -215,8 +215,8 @@ pub(super) fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera
         .filter(|transform| transform.fits(model.mesh().vertices()))
 }
 
-/// Transforms the vertices of a model. Returns whether all are on the screen and in front of the far plane; where no face is cut, one
-/// that is not on the screen is an error.
+/// Transforms the vertices of a model. Returns whether all are on the screen and in front of the far plane; where no face is
+/// cut, one that is not on the screen is an error.
 #[inline]
 fn put_on_screen<L: Look>(
     projection: &ProjectionOf<L>,

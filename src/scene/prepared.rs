@@ -56,8 +56,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// Draws as [`draw`](Self::draw) does, and hands over each row when the scene is in it, so that more can be drawn
     /// with its depths: `|row| text.draw_on(&mut row.at_depth(depth))`.
     ///
-    /// `row.at_depth(depth)` is a [`Target`](crate::surface::Target) of the row's pixels at a constant depth: what the scene has
-    /// nearer stays, and of equal depths what was drawn first. `row.y()` is the number of the row in the picture.
+    /// `row.at_depth(depth)` is a [`Target`](crate::surface::Target) of the row's pixels at a constant depth: what the scene
+    /// has nearer stays, and of equal depths what was drawn first. `row.y()` is the number of the row in the picture.
     pub fn draw_with<O: Order>(
         &mut self,
         band: &mut Band<'_, L::Color, O>,
@@ -74,8 +74,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         self.active.rows_without_depth()
     }
 
-    /// How many rows were drawn in more than one pass since the frame was prepared, because more faces cross them than the frame
-    /// has room for (`ACTIVE`). The picture is the same; such rows take longer.
+    /// How many rows were drawn in more than one pass since the frame was prepared, because more faces cross them than the
+    /// frame has room for (`ACTIVE`). The picture is the same; such rows take longer.
     pub const fn rows_in_passes(&self) -> u32 {
         self.active.rows_in_passes()
     }

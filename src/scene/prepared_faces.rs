@@ -1,5 +1,5 @@
-//! The faces of a prepared frame, by the row in which they begin: how they are drawn, each looked up with its corners and its colour
-//! when that row comes.
+//! The faces of a prepared frame, by the row in which they begin: how they are drawn, each looked up with its corners and its
+//! colour when that row comes.
 
 use core::{cell::Cell, fmt};
 

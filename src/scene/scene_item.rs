@@ -20,8 +20,8 @@ use crate::{
 /// below what is added after it.
 ///
 /// `L` is the [`Look`] of the scene's [`Memory`](crate::scene::Memory); `MODELS` is the number of models. All of them are
-/// prepared together, as by [`Frame::prepare`], and the item draws what was prepared last. RAM beside that of the memory and the
-/// models: 68 bytes on a 32-bit machine.
+/// prepared together, as by [`Frame::prepare`], and the item draws what was prepared last. RAM beside that of the memory and
+/// the models: 68 bytes on a 32-bit machine.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};

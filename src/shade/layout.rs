@@ -72,7 +72,8 @@ pub trait Layout {
         })
     }
 
-    /// The word between two: of the other one's levels, a factor of 0 to 32 in 1/32, rounded down. 0 and 32 are the words themselves.
+    /// The word between two: of the other one's levels, a factor of 0 to 32 in 1/32, rounded down. 0 and 32 are the words
+    /// themselves.
     #[inline(always)]
     fn mixed(one: Self::Word, other: Self::Word, factor: u32) -> Self::Word {
         let (one, other) = (Self::split(one), Self::split(other));
@@ -144,7 +145,8 @@ impl Layout for Word565 {
     }
 }
 
-/// The bits of the channels of a 16-bit colour, the middle one above the others, so that all three have room for five more bits.
+/// The bits of the channels of a 16-bit colour, the middle one above the others, so that all three have room for five more
+/// bits.
 const SPREAD_LEVELS: u32 = 0x07e0_f81f;
 
 /// The channels of a 16-bit colour with room for five more bits each.

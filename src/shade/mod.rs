@@ -1,8 +1,8 @@
 //! Colour of a fragment, and of the pixels of a 2D shape.
 //!
-//! A [`Shading`] gives the faces of a scene their colours: any colour itself (one a face), [`FlatLit`], [`Gouraud`], [`Textured`], [`LitTextured`],
-//! or a type of the program's own. The row loop of the depth row is generic over it, so that each shading gets its own loop and carries
-//! only what it interpolates. [`Lambert`] is the light on their vertices.
+//! A [`Shading`] gives the faces of a scene their colours: any colour itself (one a face), [`FlatLit`], [`Gouraud`],
+//! [`Textured`], [`LitTextured`], or a type of the program's own. The row loop of the depth row is generic over it, so that
+//! each shading gets its own loop and carries only what it interpolates. [`Lambert`] is the light on their vertices.
 //!
 //! A paint is one file with the signature of [`Paint`]: [`Pattern`], [`LinearGradient`], [`RadialGradient`].
 //! [`Target::painted`](crate::band::Target::painted) makes a target on which any shape is drawn in one.

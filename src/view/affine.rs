@@ -1,8 +1,10 @@
-//! Affine maps: scale, shear and mirroring beside rotation and translation, their composition and inverse, and what they do to normals.
+//! Affine maps: scale, shear and mirroring beside rotation and translation, their composition and inverse, and what they do to
+//! normals.
 //!
-//! A map takes the tangents of a surface along, and not its normals: a sphere that is made twice as wide is steeper at its sides than
-//! its normals, made twice as wide, would say. Normals go by the inverse transpose of the matrix, which the cofactors are but for a
-//! factor, so that nothing is divided: each is the product of two columns that is at right angles to both.
+//! A map takes the tangents of a surface along, and not its normals: a sphere that is made twice as wide is steeper at its
+//! sides than its normals, made twice as wide, would say. Normals go by the inverse transpose of the matrix, which the
+//! cofactors are but for a factor, so that nothing is divided: each is the product of two columns that is at right angles to
+//! both.
 //!
 //! Source: Turkowski (1990), "Properties of surface-normal transformations", Graphics Gems.
 
@@ -17,8 +19,8 @@ use crate::{
 
 /// A linear map, then a translation in units of the models' vertices: scale, shear, mirroring and rotation in one.
 ///
-/// Elements of the matrix are from -128 to 128 with 24 fractional bits; `matrix[row][column]`, applied to column vectors. A map with
-/// a negative determinant mirrors.
+/// Elements of the matrix are from -128 to 128 with 24 fractional bits; `matrix[row][column]`, applied to column vectors. A map
+/// with a negative determinant mirrors.
 ///
 /// ```
 /// use fixed::types::{I8F24, I16F16, U0F16};
@@ -61,7 +63,8 @@ impl Affine {
 
     /// This map, and `next` after it.
     ///
-    /// Elements are within 2^-24 of those of the exact product, coordinates of the translation within 2^-16. Cost: 36 multiplications.
+    /// Elements are within 2^-24 of those of the exact product, coordinates of the translation within 2^-16. Cost: 36
+    /// multiplications.
     ///
     /// # Errors
     /// [`InputError::ScaleOutOfDomain`] and [`InputError::PositionOutOfDomain`].
@@ -80,8 +83,8 @@ impl Affine {
 
     /// The map that undoes this one.
     ///
-    /// Elements are within 2^-25 and 2^-30 of their size of those of the exact inverse; the translation is that of this map through
-    /// them, within 2^-16. Cost: 30 multiplications and nine divisions.
+    /// Elements are within 2^-25 and 2^-30 of their size of those of the exact inverse; the translation is that of this map
+    /// through them, within 2^-16. Cost: 30 multiplications and nine divisions.
     ///
     /// # Errors
     /// [`InputError::ScaleOutOfDomain`], also where the map flattens space, so that nothing undoes it;
@@ -102,11 +105,12 @@ impl Affine {
         })
     }
 
-    /// The map of normals: a normal of a surface, through its matrix, has the direction that is normal to the surface through this map,
-    /// on the same side of it. Its length may be any.
+    /// The map of normals: a normal of a surface, through its matrix, has the direction that is normal to the surface through
+    /// this map, on the same side of it. Its length may be any.
     ///
-    /// Elements are those of the exact inverse transpose times any positive number, within 2^-25, the greatest between 32 and 64. A map to a plane has the normal
-    /// of the plane, a map to a line or a point none: all elements are 0. Cost: 21 multiplications.
+    /// Elements are those of the exact inverse transpose times any positive number, within 2^-25, the greatest between 32 and
+    /// 64. A map to a plane has the normal of the plane, a map to a line or a point none: all elements are 0. Cost: 21
+    /// multiplications.
     #[must_use]
     pub fn normals(&self) -> Self {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.cofactors();
@@ -138,8 +142,8 @@ impl Affine {
         self.determinant() < 0
     }
 
-    /// A vector of whole numbers up to 2^8 in size, mapped and made as long as 1, in 2.14: within 2 units of 1/16,384. A vector of
-    /// length 0 where it is mapped to nothing.
+    /// A vector of whole numbers up to 2^8 in size, mapped and made as long as 1, in 2.14: within 2 units of 1/16,384. A vector
+    /// of length 0 where it is mapped to nothing.
     pub(crate) fn unit_vector(&self, vector: [i32; 3]) -> [i32; 3] {
         let mapped = self.matrix.map(|row| {
             let products = row.iter().zip(vector);
@@ -182,8 +186,8 @@ impl Affine {
     /// The cofactors of the matrix, exactly, with 48 fractional bits.
     fn cofactors(&self) -> [[i64; 3]; 3] {
         let [[a, b, c], [d, e, f], [g, h, i]] = self.matrix.map(|row| row.map(|element| i64::from(element.to_bits())));
-        // From -2^31 on and below 2^31: the difference of two products is below 2^63, because the one that is not -2^31 squared is
-        // smaller.
+        // From -2^31 on and below 2^31: the difference of two products is below 2^63, because the one that is not -2^31 squared
+        // is smaller.
         let minor = |a: i64, b: i64, c: i64, d: i64| a * d - b * c;
         [
             [minor(e, f, h, i), minor(f, d, i, g), minor(d, e, g, h)],
@@ -241,8 +245,8 @@ impl Divisor {
         })
     }
 
-    /// A cofactor divided by the determinant, with 24 fractional bits, rounded to the nearest; what does not fit 32 bits is any number
-    /// of more bits.
+    /// A cofactor divided by the determinant, with 24 fractional bits, rounded to the nearest; what does not fit 32 bits is any
+    /// number of more bits.
     fn divide(self, cofactor: i64) -> i64 {
         let size = cofactor.unsigned_abs();
         let zeros = size.leading_zeros();

@@ -10,10 +10,11 @@ use crate::{
     },
 };
 
-/// The transformation from the vertices of one model, which an affine map and then a pose put into the world, to eye space: a matrix and
-/// a translation with 24 fractional bits each.
+/// The transformation from the vertices of one model, which an affine map and then a pose put into the world, to eye space: a
+/// matrix and a translation with 24 fractional bits each.
 ///
-/// A coordinate in eye space is within 2^-12 units of the exact one, and 2^-25 times the sum of the sizes of the vertex' coordinates.
+/// A coordinate in eye space is within 2^-12 units of the exact one, and 2^-25 times the sum of the sizes of the vertex'
+/// coordinates.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct AffineEyeTransform {
     rows: [[i32; 3]; 3],
@@ -61,8 +62,8 @@ impl AffineEyeTransform {
         Some(transform)
     }
 
-    /// Whether all of the vertices have coordinates in eye space that an [`EyePoint`] holds: decided by the box around them and the
-    /// origin of the model.
+    /// Whether all of the vertices have coordinates in eye space that an [`EyePoint`] holds: decided by the box around them and
+    /// the origin of the model.
     #[inline(never)]
     pub(crate) fn fits(&self, vertices: &[[i16; 3]]) -> bool {
         if self.holds([1 << 15; 3]) {

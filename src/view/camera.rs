@@ -16,11 +16,11 @@ use crate::{
 /// A camera that looks along its z axis, x to the right and y up: in perspective, or with parallel rays for a look that is
 /// [`Orthographic`](crate::scene::Orthographic).
 ///
-/// A point (x, y, z) of eye space is seen at the continuous position u = c + f x/z, v = d - f y/z of a viewport of
-/// W by H pixels, where pixel i covers i <= u < i + 1. Pixel centres are at integer coordinates, so the screen
-/// coordinates are u - 1/2 and v - 1/2 (and the viewport's top left corner added). The centre (c, d) is (W/2, H/2) until it is set:
-/// a symmetric scene gives a symmetric picture. The focal length f is W/2 pixels until it is set: a horizontal field of view of 90
-/// degrees. Without perspective u = c + s x and v = d - s y, for a scale s of one pixel a unit until it is set.
+/// A point (x, y, z) of eye space is seen at the continuous position u = c + f x/z, v = d - f y/z of a viewport of W by H
+/// pixels, where pixel i covers i <= u < i + 1. Pixel centres are at integer coordinates, so the screen coordinates are u - 1/2
+/// and v - 1/2 (and the viewport's top left corner added). The centre (c, d) is (W/2, H/2) until it is set: a symmetric scene
+/// gives a symmetric picture. The focal length f is W/2 pixels until it is set: a horizontal field of view of 90 degrees.
+/// Without perspective u = c + s x and v = d - s y, for a scale s of one pixel a unit until it is set.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Camera {
     viewport: Window,
@@ -80,7 +80,8 @@ impl Camera {
         Ok(Self { focal_length, ..self })
     }
 
-    /// The camera with the focal length for a horizontal field of view, as a fraction of a turn below a half: a quarter is 90 degrees.
+    /// The camera with the focal length for a horizontal field of view, as a fraction of a turn below a half: a quarter is 90
+    /// degrees.
     ///
     /// # Errors
     /// [`InputError::FocalLengthOutOfDomain`], also for no angle and for half a turn and more.
@@ -96,8 +97,8 @@ impl Camera {
         self.with_focal_length(I16F16::from_bits(focal_length))
     }
 
-    /// The camera with another scale, in pixels for a unit, for looks that are [`Orthographic`](crate::scene::Orthographic); any other
-    /// look takes the focal length instead.
+    /// The camera with another scale, in pixels for a unit, for looks that are [`Orthographic`](crate::scene::Orthographic);
+    /// any other look takes the focal length instead.
     ///
     /// # Errors
     /// [`InputError::ScaleOutOfDomain`] for 0 and below.
@@ -108,9 +109,10 @@ impl Camera {
         Ok(Self { scale, ..self })
     }
 
-    /// The camera with another point of the picture that it looks at: u to the right and v down from the viewport's top left corner, in
-    /// pixels. The middle until it is set; any other point, which may be outside the viewport, makes the frustum oblique: the viewport is a part
-    /// of a larger picture, the lens is shifted, or the camera is one eye of two that look through the same window.
+    /// The camera with another point of the picture that it looks at: u to the right and v down from the viewport's top left
+    /// corner, in pixels. The middle until it is set; any other point, which may be outside the viewport, makes the frustum
+    /// oblique: the viewport is a part of a larger picture, the lens is shifted, or the camera is one eye of two that look
+    /// through the same window.
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Rectangle};
@@ -154,13 +156,13 @@ impl Camera {
         [self.viewport.width(), self.viewport.height()].map(|pixels| I16F16::from_bits((pixels as i32) << 15))
     }
 
-    /// The camera with a far plane: what is farther away than `far` units is not drawn, and faces that cross the plane are cut there. A
-    /// look without cut faces ([`Look::CLIPS`](crate::scene::Look::CLIPS)) keeps all faces whole, also those behind the plane; where its
-    /// rays are parallel, a vertex behind it is an error.
+    /// The camera with a far plane: what is farther away than `far` units is not drawn, and faces that cross the plane are cut
+    /// there. A look without cut faces ([`Look::CLIPS`](crate::scene::Look::CLIPS)) keeps all faces whole, also those behind
+    /// the plane; where its rays are parallel, a vertex behind it is an error.
     ///
     /// Without one there is no limit. In perspective it changes no stored depth: those reach to infinity, and each vertex is
-    /// transformed once more for it. Without perspective depths reach from the near to the far plane, or 32,768 units where there is
-    /// none.
+    /// transformed once more for it. Without perspective depths reach from the near to the far plane, or 32,768 units where
+    /// there is none.
     ///
     /// # Errors
     /// [`InputError::FarTooClose`] where it is not behind the near plane.

@@ -24,7 +24,8 @@ pub(crate) trait ToEye {
 }
 
 /// The transformation from the vertices of one model to eye space: a matrix and a translation, with
-/// [`Sub4`](crate::geometry::Sub4) in 2.14 and in 1/4096 unit, with [`Sub8`](crate::geometry::Sub8) with 30 fractional bits each.
+/// [`Sub4`](crate::geometry::Sub4) in 2.14 and in 1/4096 unit, with [`Sub8`](crate::geometry::Sub8) with 30 fractional bits
+/// each.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct EyeTransform<S: ScreenPrecision> {
     rows: [[S::EyeElement; 3]; 3],
@@ -69,8 +70,8 @@ fn eye_row<S: ScreenPrecision>([x, y, z]: &[I2F30; 3]) -> [S::EyeElement; 3] {
     [S::eye_element(*x), S::eye_element(*y), S::eye_element(*z)]
 }
 
-/// How far positions of a model are along a camera's axis, for positions of any map: the last row of the transformation to eye space with
-/// 30 fractional bits.
+/// How far positions of a model are along a camera's axis, for positions of any map: the last row of the transformation to eye
+/// space with 30 fractional bits.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct EyeAxis {
     row: [I2F30; 3],

@@ -1,4 +1,5 @@
-//! From model to eye to screen: rotations from angles, axes, quaternions and directions, poses, affine maps, the camera, screen vertices.
+//! From model to eye to screen: rotations from angles, axes, quaternions and directions, poses, affine maps, the camera, screen
+//! vertices.
 //!
 //! Axes: x to the right, y up, z away from the viewer. Angles enter once per frame, as fractions of
 //! a turn. All arithmetic is that of integers, so that every machine computes the same vertices.

@@ -1,7 +1,8 @@
 //! Orthographic projection: all rays are parallel, so that a vertex takes two multiplications and no division.
 //!
-//! Guarantees: x and y are the eye point's times the scale, rounded once to units of the precision; depth is affine in z, and exact to
-//! one unit: with `u16` one unit of depth is 1/65,536 of the way from the near to the far plane, taken up to the next power of two.
+//! Guarantees: x and y are the eye point's times the scale, rounded once to units of the precision; depth is affine in z, and
+//! exact to one unit: with `u16` one unit of depth is 1/65,536 of the way from the near to the far plane, taken up to the next
+//! power of two.
 
 use fixed::types::I16F16;
 
@@ -37,8 +38,8 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         }
     }
 
-    /// Projects a vertex to the same integers as [`project_parallel`](Self::project_parallel). `None` where it is not between the near
-    /// and the far plane, or not on the screen.
+    /// Projects a vertex to the same integers as [`project_parallel`](Self::project_parallel). `None` where it is not between
+    /// the near and the far plane, or not on the screen.
     #[inline]
     pub(crate) fn project_parallel_inside(&self, eye: EyePoint) -> Option<ScreenVertex<S, D>> {
         // As an unsigned number, what is in front of the near plane is far above all distances behind it.

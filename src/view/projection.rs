@@ -76,7 +76,8 @@ pub(crate) struct WideVertex {
 pub(crate) struct Projection<S, D> {
     /// Near plane in 1/4096 unit.
     pub(crate) near: i32,
-    /// The near plane's distance as 16 bits and a shift. Where rays are parallel, only the shift: that of the way to the far plane.
+    /// The near plane's distance as 16 bits and a shift. Where rays are parallel, only the shift: that of the way to the far
+    /// plane.
     near_mantissa: u32,
     pub(super) depth_exponent: u32,
     /// Focal length in units of the precision. Where rays are parallel, pixels a unit with 24 fractional bits.
@@ -93,7 +94,8 @@ pub(crate) struct Projection<S, D> {
     formats: core::marker::PhantomData<(S, D)>,
 }
 
-/// The centre of the picture in units of a precision, minus the half pixel from u to x, rounded to the nearest: below 2^14 times 2^8.
+/// The centre of the picture in units of a precision, minus the half pixel from u to x, rounded to the nearest: below 2^14
+/// times 2^8.
 #[inline]
 pub(super) fn center<S: ScreenPrecision>(camera: &Camera) -> [i32; 2] {
     let half_unit = 1 << (S::FRACTION_BITS - 1);

@@ -39,8 +39,8 @@ const ATTEMPTS: u8 = 3;
 /// Frames that are drawn with depths after one whose spans overlapped: the next ones are much the same.
 const BACK_OFF_FRAMES: u8 = 16;
 
-/// The active list. `F` are its slots, an array of [`ActiveFace`]s or, where they are used, a slice of any length: as many faces
-/// can cross a row. A row with more is drawn in [passes](Passes).
+/// The active list. `F` are its slots, an array of [`ActiveFace`]s or, where they are used, a slice of any length: as many
+/// faces can cross a row. A row with more is drawn in [passes](Passes).
 #[derive(Debug)]
 pub(crate) struct ActiveFaces<F: ?Sized> {
     /// All slots that are in use, or have been, lie before this one.
@@ -154,7 +154,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.draw_all_spans(faces, row);
     }
 
-    /// Draws the spans of a row with depths. Takes each face to the next row, and gives the slots of those free that have ended.
+    /// Draws the spans of a row with depths. Takes each face to the next row, and gives the slots of those free that have
+    /// ended.
     #[inline(always)]
     fn draw_all_spans<O, D>(&mut self, faces: &impl FaceTable<S, D, H>, row: &mut DepthRow<'_, H::Color, O, D>)
     where
@@ -430,7 +431,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     }
 
     /// Sets a face up in a free slot, as it is in its first row.
-    // In the rows of frames that fit it has one caller: out of line it would take 1.5 % of the instructions of a torus and a cube.
+    // In the rows of frames that fit it has one caller: out of line it would take 1.5 % of the instructions of a torus and a
+    // cube.
     #[inline(always)]
     pub(super) fn begin<D: DepthWidth>(
         &mut self,

@@ -77,8 +77,8 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         }
     }
 
-    /// Draws pixels inside the row that are nearer than the stored depths, up to the first that is exactly as near. Returns how many
-    /// are left, that one included; `None` if there is no such pixel.
+    /// Draws pixels inside the row that are nearer than the stored depths, up to the first that is exactly as near. Returns how
+    /// many are left, that one included; `None` if there is no such pixel.
     #[inline(always)]
     pub(super) fn draw_run(
         &mut self,

@@ -3,12 +3,12 @@
 //! A depth buffer one row wide is enough, because every face that crosses a row is drawn while that row is: faces wait
 //! in a table by their first row, and an active list carries those that have begun.
 
-// Why seldom taken functions are marked as cold in these files and in those of `scene`: without the marks, a frame of the torus and
-// cube takes 0.4 % more instructions on a Cortex-M3 and 1.6 % more on a Cortex-M0+, preparing it 1.5 % and 0.7 %. They cost 100
-// bytes of flash.
+// Why seldom taken functions are marked as cold in these files and in those of `scene`: without the marks, a frame of the torus
+// and cube takes 0.4 % more instructions on a Cortex-M3 and 1.6 % more on a Cortex-M0+, preparing it 1.5 % and 0.7 %. They cost
+// 100 bytes of flash.
 //
-// Why small functions are `inline(always)` in `active_face`: with `inline` alone, a frame of the torus and cube takes 2.3 % more
-// instructions on a Cortex-M3, the icosphere 1.3 %.
+// Why small functions are `inline(always)` in `active_face`: with `inline` alone, a frame of the torus and cube takes 2.3 %
+// more instructions on a Cortex-M3, the icosphere 1.3 %.
 
 mod active_face;
 mod active_faces;

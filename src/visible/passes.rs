@@ -5,9 +5,9 @@
 //!                                  pass 1  pass 2  pass 3     which is cleared once
 //! ```
 //!
-//! The depth row takes faces in any order, so that it does not matter which of them are there at the same time. Where a fragment
-//! is as near as the one that is there, faces of earlier passes are in no slot any more: all faces of the table are asked which
-//! of them comes first in the order of the models.
+//! The depth row takes faces in any order, so that it does not matter which of them are there at the same time. Where a
+//! fragment is as near as the one that is there, faces of earlier passes are in no slot any more: all faces of the table are
+//! asked which of them comes first in the order of the models.
 //!
 //! Guarantees: each face that crosses a row comes once, and of equally near fragments the picture has the first one.
 
@@ -53,7 +53,8 @@ impl Passes {
         };
     }
 
-    /// How many faces cross a row. Cost: a sum over the rows above it, of which only the last is added where rows come in order.
+    /// How many faces cross a row. Cost: a sum over the rows above it, of which only the last is added where rows come in
+    /// order.
     pub(super) fn crossing<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         &mut self,
         faces: &impl FaceTable<S, D, H>,
@@ -127,8 +128,8 @@ pub(super) fn surroundings<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     }
 }
 
-/// Whether no other face of the table that has the same depth at a pixel which it covers comes before a face in the order of the
-/// models; the parts of one face come in the order of the table.
+/// Whether no other face of the table that has the same depth at a pixel which it covers comes before a face in the order of
+/// the models; the parts of one face come in the order of the table.
 #[cold]
 #[inline(never)]
 pub(super) fn comes_first_of_all<S: ScreenPrecision, D: DepthWidth, H: Shading>(

@@ -63,9 +63,9 @@ where
     F: FaceTable<S, D, H>,
     O: Order,
 {
-    /// Draws the pixels of a span of a face that are nearer than the stored depths, up to the first that is exactly as near. Returns
-    /// how many visible pixels of the span are left, that one included; `None` if there is no such pixel. Columns count from the first
-    /// pixel of the row, and may lie outside it.
+    /// Draws the pixels of a span of a face that are nearer than the stored depths, up to the first that is exactly as near.
+    /// Returns how many visible pixels of the span are left, that one included; `None` if there is no such pixel. Columns count
+    /// from the first pixel of the row, and may lie outside it.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) -> Option<usize> {
         if !F::IS_ORTHOGRAPHIC && !H::Attributes::are_even(&face.attributes) {
@@ -123,8 +123,8 @@ where
     }
 }
 
-/// The word of a pixel of a span of a face, in the machine's byte order; `None` for a hole. The span counts from the first column of the
-/// row, the pixel lies in the picture.
+/// The word of a pixel of a span of a face, in the machine's byte order; `None` for a hole. The span counts from the first
+/// column of the row, the pixel lies in the picture.
 #[cold]
 #[inline(never)]
 pub(super) fn word_at<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(

@@ -1,4 +1,5 @@
-//! Triangles in homogeneous coordinates without clipping: the pixels whose rays meet them, which are those of what clipping leaves.
+//! Triangles in homogeneous coordinates without clipping: the pixels whose rays meet them, which are those of what clipping
+//! leaves.
 
 use core::convert::Infallible;
 use std::collections::BTreeSet;
@@ -87,8 +88,8 @@ proptest! {
         check(triangle, &EYE);
     }
 
-    /// The two halves of a parallelogram, wherever it lies: no pixel twice. In front of the near plane the other diagonal gives the same
-    /// pixels, so that none is left out.
+    /// The two halves of a parallelogram, wherever it lies: no pixel twice. In front of the near plane the other diagonal gives
+    /// the same pixels, so that none is left out.
     #[test]
     fn halves_of_a_parallelogram_fit(
         a in prop::array::uniform3(-60i16..=60),

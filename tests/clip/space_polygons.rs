@@ -101,7 +101,8 @@ fn assert_inside(point: &ClipPoint, most: i64) {
     );
 }
 
-/// Whether a corner is where its attributes say: the mean of the vertices by their weights, but for the rounding of the weights.
+/// Whether a corner is where its attributes say: the mean of the vertices by their weights, but for the rounding of the
+/// weights.
 fn assert_weighted(triangle: Triangle, point: &ClipPoint, weights: [i32; 3], most: i64) {
     let sum: i32 = weights.iter().sum();
     assert!(
@@ -209,8 +210,9 @@ fn faces_that_share_an_edge_are_cut_in_the_same_points() {
 
 /// Clipping after the division: the corner behind the eye has a picture upside down, and what is filled is another triangle.
 ///
-/// The face's corners are (-20, -4, 20), (20, -4, 20) and (0, -4, -20): a floor below the eye. Divided, they are at x/w = -1, 1 and 0, and
-/// at y/w = -1/3, -1/3 and 1/3 of a viewport that is 24 of 40 pixels high: the third one is above the horizon, where there is no floor.
+/// The face's corners are (-20, -4, 20), (20, -4, 20) and (0, -4, -20): a floor below the eye. Divided, they are at x/w = -1, 1
+/// and 0, and at y/w = -1/3, -1/3 and 1/3 of a viewport that is 24 of 40 pixels high: the third one is above the horizon, where
+/// there is no floor.
 #[test]
 fn clipping_after_the_division_fails() {
     let triangle = [[-20, -4, 20], [20, -4, 20], [0, -4, -20]];

@@ -258,8 +258,8 @@ fn segments_through_the_eye_and_beside_it() {
     assert_eq!(vertices([8, 8, 8], [8, 8, 8]), Some(([8, 8, 8], [8, 8, 8])));
 }
 
-/// Clipping after the division by w: what is behind the eye has a picture in front of it. The point (60, 0, -30) is behind the eye,
-/// but x / w is -2, to the left of the viewport; the segment to it leaves the viewport to the right.
+/// Clipping after the division by w: what is behind the eye has a picture in front of it. The point (60, 0, -30) is behind the
+/// eye, but x / w is -2, to the left of the viewport; the segment to it leaves the viewport to the right.
 #[test]
 fn clipping_after_the_division_fails() {
     let camera = camera(8);

@@ -1,6 +1,6 @@
 //! The rules of the house, read from the source: imports run one way and in no circles, every public type has a
-//! `defmt::Format`, every shape has pictures beside its code, the oldest compiler that is promised reads everything, and the public
-//! face does not grow unnoticed.
+//! `defmt::Format`, every shape has pictures beside its code, the oldest compiler that is promised reads everything, and the
+//! public face does not grow unnoticed.
 
 mod circles;
 mod face;

@@ -16,8 +16,8 @@ fn determinant([a, b, c]: [[i128; 3]; 3]) -> i128 {
 }
 
 impl Eye {
-    /// Whether the ray through a position meets the closed triangle between the planes; the position is in 1/16 pixel from the centre of
-    /// a pixel.
+    /// Whether the ray through a position meets the closed triangle between the planes; the position is in 1/16 pixel from the
+    /// centre of a pixel.
     fn meets(&self, triangle: [[i16; 3]; 3], [x, y]: [i32; 2], [right, down]: [i128; 2]) -> bool {
         let from_middle = |pixel: i32, size: i32, fine: i128| i128::from(2 * pixel + 1 - size) * FINE + 2 * fine;
         let ray = [

@@ -1,4 +1,5 @@
-//! Affine maps: composition, inverse and normals in exact integers, models and lights against `f64`, mirrored models bit for bit.
+//! Affine maps: composition, inverse and normals in exact integers, models and lights against `f64`, mirrored models bit for
+//! bit.
 
 use std::array;
 
@@ -451,7 +452,8 @@ fn light_under_any_map_is_that_of_floating_point() {
     assert!(least < 20 && greatest > 250, "{least} {greatest}");
 }
 
-/// A mirrored model is the model of mirrored vertices, normals and windings, bit for bit: whole, cut, and in each shading with lights.
+/// A mirrored model is the model of mirrored vertices, normals and windings, bit for bit: whole, cut, and in each shading with
+/// lights.
 #[test]
 fn a_mirrored_model_is_that_of_mirrored_vertices() {
     fn picture<L: Look<Color = Rgb888>>(

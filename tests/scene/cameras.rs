@@ -219,7 +219,8 @@ fn a_near_plane_for_nothing_stays() {
     assert_eq!(camera.near_for(&large), Err(InputError::ModelOutOfDomain { model: 0 }));
 }
 
-/// Sheets a few units apart, 2,000 units away: the share of pixels in which a farther one is drawn, by the distance of the near plane.
+/// Sheets a few units apart, 2,000 units away: the share of pixels in which a farther one is drawn, by the distance of the near
+/// plane.
 #[test]
 fn near_planes_for_models_put_sheets_in_order() {
     const SHEETS: usize = 24;

@@ -50,8 +50,8 @@ fn counted<L: Look<Color = Rgb888, Shading = Rgb888, Counting = core::cell::Cell
     (prepared.counters(), picture, covered_by_all(&prepared, area))
 }
 
-/// Rows with depths test each pixel that a face covers, once; faces that are not drawn are those seen from behind or without a pixel in
-/// their box.
+/// Rows with depths test each pixel that a face covers, once; faces that are not drawn are those seen from behind or without a
+/// pixel in their box.
 #[test]
 fn depth_tests_are_those_of_all_covered_pixels() {
     for frame in 0..8 {

@@ -131,8 +131,8 @@ fn depth(pose: &Pose, camera: &Pose, vertex: [i16; 3]) -> f64 {
 proptest! {
     #![proptest_config(config(cases(5_000, 300_000)))]
 
-    /// The distance of a vertex is rounded down to 1/512 of the way; what is farther from the start than 63 ways is as far as that.
-    /// A matrix of the view has 14 fractional bits.
+    /// The distance of a vertex is rounded down to 1/512 of the way; what is farther from the start than 63 ways is as far as
+    /// that. A matrix of the view has 14 fractional bits.
     #[test]
     fn vertices_have_their_distances(
         model in any_pose(),

@@ -78,8 +78,8 @@ fn single(meshes: &[Mesh]) -> Vec<(usize, Mesh)> {
     meshes.iter().enumerate().flat_map(each).collect()
 }
 
-/// Draws models, and each of their faces alone: in each pixel the nearest fragment that is no hole is seen, and of equally near ones
-/// the first.
+/// Draws models, and each of their faces alone: in each pixel the nearest fragment that is no hole is seen, and of equally near
+/// ones the first.
 fn check<L: Look<Color = Rgb888>>(
     meshes: &[Mesh],
     skin: impl Fn(usize) -> <L::Shading as Shading>::Skin<'static>,

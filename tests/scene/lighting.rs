@@ -193,8 +193,8 @@ fn near(random: &mut Random, pose: &Pose, vertex: [i16; 3]) -> PointLight {
     light
 }
 
-/// One light from a point on one vertex: within 10 units, and 3,000 divided by the distance, because positions in a model are rounded
-/// to 1/16.
+/// One light from a point on one vertex: within 10 units, and 3,000 divided by the distance, because positions in a model are
+/// rounded to 1/16.
 #[test]
 fn lights_from_points_are_those_of_floating_point() {
     let (mut random, camera) = (Random(0x0123_4567), camera());

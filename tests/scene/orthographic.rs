@@ -1,4 +1,5 @@
-//! Parallel rays: vertices, depths and cuts against `f64`, pictures against the exact faces, attributes that are even on the screen.
+//! Parallel rays: vertices, depths and cuts against `f64`, pictures against the exact faces, attributes that are even on the
+//! screen.
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use fixed::types::{I8F24, I16F16, U0F16};

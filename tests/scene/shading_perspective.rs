@@ -251,8 +251,8 @@ proptest! {
         check_divided::<Fine<Deep<InSpace<2>>>>(&mesh, &numbers, Pose::IDENTITY, 1.0);
     }
 
-    /// Two corners with one number at the near plane: along the edge between them the error of a gradient takes no number past the end
-    /// of the digits that it is kept in.
+    /// Two corners with one number at the near plane: along the edge between them the error of a gradient takes no number past
+    /// the end of the digits that it is kept in.
     #[test]
     fn attributes_along_an_edge_do_not_wrap(
         corners in prop::array::uniform3(prop::array::uniform2(-60i16..60)),

@@ -40,8 +40,8 @@ fn all_coordinates() -> impl Iterator<Item = i32> {
         .chain((i32::MIN..=i32::MAX).step_by((1 << 21) + 12_345))
 }
 
-/// Compares each texel of a texture at its edges and in its middle, and samples everywhere. `expected` is the word of a texel that is
-/// counted from the upper left one of the plane.
+/// Compares each texel of a texture at its edges and in its middle, and samples everywhere. `expected` is the word of a texel
+/// that is counted from the upper left one of the plane.
 fn check<T: Texture>(image: &T::Image<'_>, expected: impl Fn([i64; 2]) -> Option<WordOf<T>>)
 where
     WordOf<T>: std::fmt::Debug,
@@ -135,8 +135,8 @@ fn each_texel_of_a_palette_is_in_its_place() {
     check_indexed::<2, 64, 4>();
 }
 
-/// Where a sample lies between the centres of four texels: the left and upper one of the plane, and how far it is to the right and
-/// down, in 1/2^32.
+/// Where a sample lies between the centres of four texels: the left and upper one of the plane, and how far it is to the right
+/// and down, in 1/2^32.
 fn between_centers(coordinate: i32, size: i64) -> (i64, i64) {
     let texel = (1 << BITS) / size;
     let from_center = i64::from(coordinate) - texel / 2;

@@ -18,7 +18,8 @@ pub struct Options {
     options: Vec<OsString>,
 }
 
-/// Builds the program `zrow-NAME` and runs it, with some first arguments and those that were typed; it says itself what went wrong.
+/// Builds the program `zrow-NAME` and runs it, with some first arguments and those that were typed; it says itself what went
+/// wrong.
 ///
 /// # Errors
 /// Cargo cannot be started.

@@ -1,9 +1,9 @@
 //! Sutherland and Hodgman (1974): cuts a convex polygon by one plane after another.
 //!
-//! The near and the far plane cut in eye space, before anything is divided by z. The guard band then cuts on the screen, where a
-//! coordinate would leave the domain of its precision; that is much larger than a display, so few faces meet it, and
-//! depth is affine there. A cut rounds once, from the end inside to the end outside, so that two faces that share an
-//! edge get the same point. All planes share one loop: faces are seldom cut, and flash is scarce.
+//! The near and the far plane cut in eye space, before anything is divided by z. The guard band then cuts on the screen, where
+//! a coordinate would leave the domain of its precision; that is much larger than a display, so few faces meet it, and depth is
+//! affine there. A cut rounds once, from the end inside to the end outside, so that two faces that share an edge get the same
+//! point. All planes share one loop: faces are seldom cut, and flash is scarce.
 
 use core::num::NonZeroU64;
 
@@ -23,7 +23,8 @@ pub(crate) struct PolygonCorner<S: ScreenPrecision, A> {
     pub(crate) attributes: A,
 }
 
-/// The corners of a convex polygon. A face has three, the near and the far plane add one each, and each side of the guard band one.
+/// The corners of a convex polygon. A face has three, the near and the far plane add one each, and each side of the guard band
+/// one.
 pub(crate) type Polygon<S, A> = Vec<PolygonCorner<S, A>, 9>;
 
 // Not re-exported: what varies over faces is sealed.
@@ -32,8 +33,8 @@ pub trait CutAttributes: Copy {
     /// Whether they vary evenly in space, and on the screen only when they are multiplied by the depth.
     const NEED_DEPTH: bool;
 
-    /// The attributes of a point between two corners: how far it is from the first and from the second one, in any unit, and the depths
-    /// of both, which are 1 where ways are ways in space. Where both ways are 0, those of the first corner.
+    /// The attributes of a point between two corners: how far it is from the first and from the second one, in any unit, and
+    /// the depths of both, which are 1 where ways are ways in space. Where both ways are 0, those of the first corner.
     fn between(from: &Self, to: &Self, ways: [u64; 2], depths: [u64; 2]) -> Self;
 }
 
@@ -101,7 +102,8 @@ impl Plane {
         outside: &PolygonCorner<S, A>,
         [part, rest]: [u64; 2],
     ) -> A {
-        // In perspective, what varies evenly in space has the weight of its depth on the screen. Distances are below 2^35 and depths below 2^24.
+        // In perspective, what varies evenly in space has the weight of its depth on the screen. Distances are below 2^35 and
+        // depths below 2^24.
         let depth = |corner: &PolygonCorner<S, A>| {
             if A::NEED_DEPTH && self.is_in_perspective {
                 let [_, _, z]: [S::Wide; 3] = corner.position;

@@ -3,8 +3,8 @@
 /// What of a segment lies inside a window: a function for each algorithm, all with the signature `fn(from, to, window)`.
 ///
 /// Against an upright window they give the two ends of what is inside, the same integers by every algorithm;
-/// [`cyrus_beck`](Self::cyrus_beck) takes a convex window, and gives exact fractions of the segment. So do those in space, between
-/// vertices of a model, which take the matrix of a camera instead of a window, or planes.
+/// [`cyrus_beck`](Self::cyrus_beck) takes a convex window, and gives exact fractions of the segment. So do those in space,
+/// between vertices of a model, which take the matrix of a camera instead of a window, or planes.
 ///
 /// | algorithm | window | take it when |
 /// |---|---|---|

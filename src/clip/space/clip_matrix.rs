@@ -1,8 +1,8 @@
 //! The textbook's way from a model to the screen: one 4x4 matrix, homogeneous coordinates, a division at last.
 //!
 //! The matrix is the product P V M of projection, view and model (Roberts 1965, "Homogeneous Matrix Representation and
-//! Manipulation of N-Dimensional Constructs"; Foley, van Dam, Feiner and Hughes 1990, chapter 6). It takes a vertex (x, y, z, 1) to
-//! clip coordinates (x, y, z, w), in which the visible part of space is -w <= x <= w, -w <= y <= w, 0 <= z <= w:
+//! Manipulation of N-Dimensional Constructs"; Foley, van Dam, Feiner and Hughes 1990, chapter 6). It takes a vertex (x, y, z,
+//! 1) to clip coordinates (x, y, z, w), in which the visible part of space is -w <= x <= w, -w <= y <= w, 0 <= z <= w:
 //!
 //! ```text
 //!          2f/W   0    0      0           w is the distance from the eye along the direction of sight,
@@ -34,9 +34,10 @@ use crate::{
 /// The 4x4 matrix that takes the vertices of a model to clip coordinates, where the visible part of space is -w <= x <= w,
 /// -w <= y <= w and 0 <= z <= w.
 ///
-/// Numbers: 64-bit integers with a common number of fractional bits. It is 40, and fewer by the whole bits of 2f/W and 2f/H
-/// above 2, where f is the focal length and W and H are the size of the viewport: homogeneous coordinates mean the same at any
-/// scale. Elements are within two units of those of the exact product; they stay below 2^42, those of the translation below 2^59.
+/// Numbers: 64-bit integers with a common number of fractional bits. It is 40, and fewer by the whole bits above 2 of 2f/W, 2f/H and
+/// twice the way from the viewport's middle to its centre over W and H, where f is the focal length and W and H are the size of the
+/// viewport: homogeneous coordinates mean the same at any scale. Elements are within four units of those of the exact product; they
+/// stay below 2^42, those of the translation below 2^59.
 ///
 /// RAM: 128 bytes.
 ///
@@ -79,8 +80,8 @@ impl ClipMatrix {
         let [a, b, c, d] = depth;
         Ok(Self {
             rows: [
-                x.map(|element| scaled(element, scales.x)),
-                y.map(|element| scaled(element, scales.y)),
+                oblique([x, z], [scales.x, scales.centre_x]),
+                oblique([y, z], [scales.y, scales.centre_y]),
                 [a, b, c, d - near],
                 z.map(|element| scaled(element, scales.one)),
             ],
@@ -100,8 +101,9 @@ impl ClipMatrix {
         self.rows
     }
 
-    /// The six planes of the visible part of space, in the coordinates of the vertices: left, right, bottom, top, near, far. Each
-    /// is the sum or the difference of two rows, so that the distance of a vertex from it is exactly what its clip coordinates say.
+    /// The six planes of the visible part of space, in the coordinates of the vertices: left, right, bottom, top, near, far.
+    /// Each is the sum or the difference of two rows, so that the distance of a vertex from it is exactly what its clip
+    /// coordinates say.
     ///
     /// Source: Gribb and Hartmann 2001.
     pub fn planes(&self) -> [ClipPlane; 6] {
@@ -122,6 +124,9 @@ impl ClipMatrix {
 struct Scales {
     x: i64,
     y: i64,
+    /// What z adds to x and y where the camera does not look at the middle of its viewport.
+    centre_x: i64,
+    centre_y: i64,
     depth: i64,
     one: i64,
 }
@@ -137,22 +142,40 @@ impl Scales {
         let focal_length = (camera.focal_length().to_bits() as u64) << (FRACTION_BITS - 16 + 1);
         let ratio = |size: u32| quotient(focal_length, u64::from(size));
         let (x, y) = (ratio(viewport.width()), ratio(viewport.height()));
+        // 2 / W of the way from the middle of the viewport to the centre, which is below 2^14 pixels: below 2^55.
+        let [right, down] = camera
+            .offset()
+            .map(|offset| i64::from(offset.to_bits()) << (FRACTION_BITS - 16 + 1));
+        let part = |way: i64, size: u32| way.signum() * quotient(way.unsigned_abs(), u64::from(size)) as i64;
+        let centre = [part(right, viewport.width()), part(-down, viewport.height())];
         // From 1 to 2.
         let depth = quotient((far as u64) << 32, (far - near) as u64) << (FRACTION_BITS - 32);
-        let bits = 64 - (x | y).leading_zeros();
+        let [centre_x, centre_y] = centre.map(i64::unsigned_abs);
+        let bits = 64 - (x | y | centre_x | centre_y).leading_zeros();
         let shift = bits.saturating_sub(FRACTION_BITS + 1);
         let half = (1 << shift) >> 1;
         let shifted = |element: u64| ((element + half) >> shift) as i64;
         Ok(Self {
             x: shifted(x),
             y: shifted(y),
+            centre_x: shifted(centre_x) * right.signum(),
+            centre_y: shifted(centre_y) * -down.signum(),
             depth: shifted(depth),
             one: shifted(1 << FRACTION_BITS),
         })
     }
 }
 
-/// The quotient of two positive numbers, rounded to the nearest.
+/// The row of x or y: of its own row of V M and that of z, each times its scale.
+fn oblique([row, z]: [[i64; 4]; 2], [scale, centre]: [i64; 2]) -> [i64; 4] {
+    let mut oblique = row.map(|element| scaled(element, scale));
+    for (element, z) in oblique.iter_mut().zip(z) {
+        *element += scaled(z, centre);
+    }
+    oblique
+}
+
+/// The quotient of two numbers, the divisor positive, rounded to the nearest.
 fn quotient(numerator: u64, denominator: u64) -> u64 {
     // The camera checked it: a viewport has pixels, and the far plane is behind the near one.
     let denominator = NonZeroU64::new(denominator).unwrap_or(NonZeroU64::MIN);

@@ -2,8 +2,8 @@
 
 /// A plane in the space of a model's vertices, and the side of it that is kept; the plane itself is kept.
 ///
-/// Several of them bound a convex volume, such as what a camera sees ([`ClipMatrix::planes`](crate::clip::ClipMatrix::planes)), a room
-/// or a portal.
+/// Several of them bound a convex volume, such as what a camera sees ([`ClipMatrix::planes`](crate::clip::ClipMatrix::planes)),
+/// a room or a portal.
 ///
 /// ```
 /// use zrow::clip::{ClipPlane, Segments};

@@ -10,8 +10,8 @@ use crate::{
 
 /// A point in homogeneous clip coordinates: visible where -w <= x <= w, -w <= y <= w and 0 <= z <= w.
 ///
-/// Numbers: 64-bit integers with the fractional bits of the [`ClipMatrix`](crate::clip::ClipMatrix) that made the point. Only ratios
-/// matter: a point times any positive number is the same one.
+/// Numbers: 64-bit integers with the fractional bits of the [`ClipMatrix`](crate::clip::ClipMatrix) that made the point. Only
+/// ratios matter: a point times any positive number is the same one.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClipPoint {
@@ -35,11 +35,12 @@ impl ClipPoint {
         self.z >= 0 && self.z <= self.w && self.x.unsigned_abs() <= w && self.y.unsigned_abs() <= w
     }
 
-    /// The position on the screen: divided by w, mapped to the camera's viewport, and rounded once, to the nearest unit (ties to the
-    /// larger coordinate). `None` where w is not positive, because such a point has no picture, and outside the domain of `S`.
+    /// The position on the screen: divided by w, mapped to the camera's viewport, and rounded once, to the nearest unit (ties
+    /// to the larger coordinate). `None` where w is not positive, because such a point has no picture, and outside the domain
+    /// of `S`.
     ///
     /// The result is the nearest unit to the exact one. A scene's own vertices are within one unit of it, in the precision
-    /// that they are projected in.
+    /// that they are projected in, where that precision has half a unit: not near the eye, or with a long focal length.
     ///
     /// Takes any numbers. Cost: two divisions of 64 bits, and a step for each bit of the viewport's size in units.
     ///

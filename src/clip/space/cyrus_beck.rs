@@ -1,11 +1,12 @@
 //! Cyrus and Beck's segment clipping in space (1978, "Generalized Two- and Three-Dimensional Clipping", Computers and Graphics
 //! 3(1)): against any convex volume that is given by its planes.
 //!
-//! Along a segment the distance from a plane changes evenly. Where the start is outside of a plane and the end inside, the segment
-//! enters there, and it leaves where it is the other way round. The last entry and the first exit are the ends of what is inside.
+//! Along a segment the distance from a plane changes evenly. Where the start is outside of a plane and the end inside, the
+//! segment enters there, and it leaves where it is the other way round. The last entry and the first exit are the ends of what
+//! is inside.
 //!
-//! Guarantees: exactly what of the segment lies in the closed volume, touching a corner included. Clipping the result again changes
-//! nothing; neither does the order of the planes. For the planes of a matrix it is the result of
+//! Guarantees: exactly what of the segment lies in the closed volume, touching a corner included. Clipping the result again
+//! changes nothing; neither does the order of the planes. For the planes of a matrix it is the result of
 //! [`Segments::homogeneous_liang_barsky`], which is its case of six planes in homogeneous space.
 
 use crate::clip::{
@@ -14,8 +15,8 @@ use crate::clip::{
 };
 
 impl Segments {
-    /// What of the segment between two vertices lies in a closed convex volume, given by planes in the space of the vertices; `None`
-    /// where no point of it does. Without planes it is the whole segment.
+    /// What of the segment between two vertices lies in a closed convex volume, given by planes in the space of the vertices;
+    /// `None` where no point of it does. Without planes it is the whole segment.
     ///
     /// Takes any vertices. Cost: six products of 64 bits a plane, and four for each one that is crossed. Source: Cyrus and Beck
     /// 1978.
@@ -40,8 +41,8 @@ impl Segments {
 }
 
 impl SpaceSegment {
-    /// The part of it inside of another closed convex volume, given by its planes; `None` where no point of it is. Exact, so that
-    /// volumes may be taken in any order.
+    /// The part of it inside of another closed convex volume, given by its planes; `None` where no point of it is. Exact, so
+    /// that volumes may be taken in any order.
     #[must_use]
     pub fn clip(mut self, planes: &[ClipPlane]) -> Option<Self> {
         for plane in planes {

@@ -12,8 +12,8 @@ pub(super) struct Fraction {
 }
 
 impl Fraction {
-    /// The position at which the segment crosses a plane. `from` and `to` are the signed distances of its start and its end from
-    /// the plane, and have different signs.
+    /// The position at which the segment crosses a plane. `from` and `to` are the signed distances of its start and its end
+    /// from the plane, and have different signs.
     pub(super) const fn of_crossing(from: i64, to: i64) -> Self {
         let part = from.unsigned_abs();
         Self {
@@ -38,8 +38,8 @@ impl Fraction {
         }
     }
 
-    /// The number at this position between those of the segment's start and end, rounded to the nearest, ties to the larger one. The
-    /// segment from the end to the start has the same one at the same point.
+    /// The number at this position between those of the segment's start and end, rounded to the nearest, ties to the larger
+    /// one. The segment from the end to the start has the same one at the same point.
     pub(super) fn between(&self, from: i64, to: i64) -> i64 {
         let (low, part) = if from <= to {
             (from, self.part)

@@ -9,12 +9,13 @@
 //!                                        exit: the first one that is crossed outwards
 //! ```
 //!
-//! Each of the six distances changes evenly along the segment, so that it is 0 at the fraction d0 / (d0 - d1). Nothing is divided by
-//! w, which may be 0 or negative: both ends may lie behind the eye, or the segment pass through it. Before the division there is no
-//! such place; after it, what is behind the eye appears upside down in front of it, and the segment goes the other way round.
+//! Each of the six distances changes evenly along the segment, so that it is 0 at the fraction d0 / (d0 - d1). Nothing is
+//! divided by w, which may be 0 or negative: both ends may lie behind the eye, or the segment pass through it. Before the
+//! division there is no such place; after it, what is behind the eye appears upside down in front of it, and the segment goes
+//! the other way round.
 //!
-//! Guarantees: the result is exactly what of the segment lies in the closed volume, touching a corner included; exchanging the end
-//! points exchanges the ends of the result and changes nothing else. [`Segments::homogeneous_cohen_sutherland`] and
+//! Guarantees: the result is exactly what of the segment lies in the closed volume, touching a corner included; exchanging the
+//! end points exchanges the ends of the result and changes nothing else. [`Segments::homogeneous_cohen_sutherland`] and
 //! [`Segments::eye_space`] give the same parts.
 
 use crate::clip::{
@@ -23,11 +24,11 @@ use crate::clip::{
 };
 
 impl Segments {
-    /// What of the segment between two vertices a camera sees, by how far along it enters and leaves the six planes in homogeneous
-    /// clip coordinates; `None` where no point of it is visible. Right for vertices beside the eye and behind it.
+    /// What of the segment between two vertices a camera sees, by how far along it enters and leaves the six planes in
+    /// homogeneous clip coordinates; `None` where no point of it is visible. Right for vertices beside the eye and behind it.
     ///
-    /// Takes any vertices. Cost: two products with the matrix, then for each plane that is crossed four products to compare fractions.
-    /// Source: Liang and Barsky 1984.
+    /// Takes any vertices. Cost: two products with the matrix, then for each plane that is crossed four products to compare
+    /// fractions. Source: Liang and Barsky 1984.
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Rectangle};
@@ -74,7 +75,8 @@ impl Segments {
     }
 }
 
-/// How far inside of the six planes a point is: left, right, bottom, top, near, far. Of coordinates that a matrix made, below 2^60.
+/// How far inside of the six planes a point is: left, right, bottom, top, near, far. Of coordinates that a matrix made, below
+/// 2^60.
 fn distances(ClipPoint { x, y, z, w }: ClipPoint) -> [i64; 6] {
     [w + x, w - x, w + y, w - y, z, w - z]
 }

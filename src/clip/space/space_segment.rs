@@ -4,8 +4,8 @@ use crate::clip::space::{clip_matrix::ClipMatrix, clip_point::ClipPoint, fractio
 
 /// A part of a segment between two vertices of a model: the vertices, and between which exact fractions of the way.
 ///
-/// Nothing is rounded until the ends are asked for, so that a part can be clipped again, and an attribute of the vertices can be
-/// cut by the same fraction. It equals another part where it is the same part of the same segment.
+/// Nothing is rounded until the ends are asked for, so that a part can be clipped again, and an attribute of the vertices can
+/// be cut by the same fraction. It equals another part where it is the same part of the same segment.
 ///
 /// RAM: 64 bytes.
 #[derive(Debug, Copy, Clone)]
@@ -27,8 +27,8 @@ impl SpaceSegment {
         }
     }
 
-    /// The two ends in clip coordinates: each coordinate is the exact one, rounded once to the nearest unit, ties to the larger number.
-    /// The segment in the other direction has the same ends. What is divided by w has to be in front of the eye.
+    /// The two ends in clip coordinates: each coordinate is the exact one, rounded once to the nearest unit, ties to the larger
+    /// number. The segment in the other direction has the same ends. What is divided by w has to be in front of the eye.
     ///
     /// Cost: for each coordinate of an end that is cut a division, by a step for each bit.
     pub fn ends(&self, matrix: &ClipMatrix) -> (ClipPoint, ClipPoint) {

@@ -1,5 +1,5 @@
-//! Sutherland and Hodgman (1974, "Reentrant Polygon Clipping", Communications of the ACM 17(1)) in homogeneous coordinates: a face
-//! against -w <= x <= w, -w <= y <= w, 0 <= z <= w, one plane after the other.
+//! Sutherland and Hodgman (1974, "Reentrant Polygon Clipping", Communications of the ACM 17(1)) in homogeneous coordinates: a
+//! face against -w <= x <= w, -w <= y <= w, 0 <= z <= w, one plane after the other.
 //!
 //! ```text
 //!          B                    from outside to inside: the crossing, then the corner
@@ -9,12 +9,12 @@
 //!      A-------C                A B C becomes A * * C
 //! ```
 //!
-//! A corner that a plane adds is the exact crossing of the edge between two corners, each number rounded once; the same for both faces
-//! that share the edge, because rounding does not depend on the direction. Attributes are cut by the same fraction of the edge.
-//! They vary evenly in homogeneous space as they do in eye space, so that nothing is divided by w.
+//! A corner that a plane adds is the exact crossing of the edge between two corners, each number rounded once; the same for
+//! both faces that share the edge, because rounding does not depend on the direction. Attributes are cut by the same fraction
+//! of the edge. They vary evenly in homogeneous space as they do in eye space, so that nothing is divided by w.
 //!
-//! Guarantees: corners are in the volume but for one unit of the matrix's format. Right for corners beside the eye and behind it, and for
-//! a face around the eye.
+//! Guarantees: corners are in the volume but for one unit of the matrix's format. Right for corners beside the eye and behind
+//! it, and for a face around the eye.
 
 use heapless::Vec;
 
@@ -27,13 +27,13 @@ pub(super) type Corner<P, const N: usize> = (P, [i32; N]);
 pub(super) type Corners<P, const N: usize> = Vec<Corner<P, N>, 9>;
 
 impl ClipMatrix {
-    /// What a camera sees of a face: the corners of a convex polygon in clip coordinates, in the order of the face's vertices, with
-    /// `N` numbers that vary evenly over it, such as texture coordinates. Empty where nothing of it is visible.
+    /// What a camera sees of a face: the corners of a convex polygon in clip coordinates, in the order of the face's vertices,
+    /// with `N` numbers that vary evenly over it, such as texture coordinates. Empty where nothing of it is visible.
     ///
     /// Takes any vertices and attributes. Each number is the exact one at a crossing, rounded once to the nearest.
     ///
-    /// Cost: three products with the matrix; for each corner that a plane adds a division for each of its numbers, by a step for each
-    /// bit. Source: Sutherland and Hodgman 1974, in homogeneous coordinates as Blinn and Newell 1978.
+    /// Cost: three products with the matrix; for each corner that a plane adds a division for each of its numbers, by a step
+    /// for each bit. Source: Sutherland and Hodgman 1974, in homogeneous coordinates as Blinn and Newell 1978.
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Rectangle};
@@ -91,8 +91,8 @@ pub(super) fn cut<P: Copy, const N: usize>(
     crossing: impl Fn(&Fraction, &P, &P) -> P,
 ) -> Corners<P, N> {
     let mut kept = Corners::new();
-    // A convex polygon crosses a plane twice, and gains one corner at most. Where rounding has bent an edge that lies on the plane by
-    // a unit, there may be more crossings within that unit: those for which there is no room are left out.
+    // A convex polygon crosses a plane twice, and gains one corner at most. Where rounding has bent an edge that lies on the
+    // plane by a unit, there may be more crossings within that unit: those for which there is no room are left out.
     let mut keep = |corner| _ = kept.push(corner);
     let Some(mut previous) = polygon.last() else {
         return Corners::new();

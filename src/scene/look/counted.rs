@@ -4,8 +4,8 @@ use core::{cell::Cell, marker::PhantomData};
 
 use crate::scene::{Counters, Look};
 
-/// The [`Look`] `L` with counters: [`Prepared::counters`](crate::scene::Prepared::counters) says what a frame took. The picture is the
-/// same.
+/// The [`Look`] `L` with counters: [`Prepared::counters`](crate::scene::Prepared::counters) says what a frame took. The picture
+/// is the same.
 ///
 /// RAM: 48 bytes in the prepared frame. Cost: some instructions a span, and three a fragment.
 #[derive(Debug)]

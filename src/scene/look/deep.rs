@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use crate::scene::Look;
 
-/// The [`Look`] `L` with depths of 32 bits instead of 16: 256 times finer, for scenes that reach far. A vertex takes 8 bytes (12 where it
-/// is [`Fine`](crate::scene::Fine)), a column of the depth row 4.
+/// The [`Look`] `L` with depths of 32 bits instead of 16: 256 times finer, for scenes that reach far. A vertex takes 8 bytes
+/// (12 where it is [`Fine`](crate::scene::Fine)), a column of the depth row 4.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Deep<L>(PhantomData<L>);

@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use crate::{geometry::Sub8, scene::Look};
 
-/// The [`Look`] `L` with positions at 1/256 pixel instead of 1/16 ([`Sub8`]), so that slow turns do not tremble and the viewport may
-/// be larger. A vertex takes 12 bytes.
+/// The [`Look`] `L` with positions at 1/256 pixel instead of 1/16 ([`Sub8`]), so that slow turns do not tremble and the
+/// viewport may be larger. A vertex takes 12 bytes.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Fine<L>(PhantomData<L>);

@@ -1,7 +1,7 @@
 //! What a scene's pictures are made of: one type parameter, so that only what it names is linked.
 //!
-//! A shading is a look, and a colour the plainest one. Each other file here is a wrapper around any look that changes one thing of it; wrappers go
-//! around each other in any order: `Fine<Whole<Rgb565>>`.
+//! A shading is a look, and a colour the plainest one. Each other file here is a wrapper around any look that changes one thing
+//! of it; wrappers go around each other in any order: `Fine<Whole<Rgb565>>`.
 
 mod counted;
 mod deep;
@@ -30,10 +30,11 @@ use crate::{
 /// What the pictures of a scene are made of: colours, the precision of positions and depths, whether faces are cut, and whether
 /// rows are drawn in passes. What a look does not name takes no flash, no RAM and no time.
 ///
-/// Every [`Shading`] is a look, and a colour is the plainest one, with a colour a face: positions at 1/16 pixel ([`Sub4`]), depths of 16 bits, faces are cut, rows are drawn in
-/// passes where they must. A wrapper changes one thing of another look, in any order: [`Fine`] (positions at 1/256 pixel), [`Deep`]
-/// (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no row is drawn in passes), [`Orthographic`] (parallel rays), [`Counted`]
-/// (counters), [`Unhurried`] (no shortcuts). A look can also be a type of the program's own.
+/// Every [`Shading`] is a look, and a colour is the plainest one, with a colour a face: positions at 1/16 pixel ([`Sub4`]),
+/// depths of 16 bits, faces are cut, rows are drawn in passes where they must. A wrapper changes one thing of another look, in
+/// any order: [`Fine`] (positions at 1/256 pixel), [`Deep`] (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no
+/// row is drawn in passes), [`Orthographic`] (parallel rays), [`Counted`] (counters), [`Unhurried`] (no shortcuts). A look can
+/// also be a type of the program's own.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -72,15 +73,14 @@ pub trait Look: 'static {
     /// `()`; in looks that are [`Counted`], the counters of a frame.
     type Counting: Counting;
 
-    /// Whether faces are cut at the near plane, at the far plane and at the guard band, so that a scene may be anywhere, also around the camera.
-    /// Flash: about 3 KB on a Cortex-M3 at opt-level "s".
+    /// Whether faces are cut at the near plane, at the far plane and at the guard band, so that a scene may be anywhere, also
+    /// around the camera. Flash: about 3 KB on a Cortex-M3 at opt-level "s".
     ///
     /// Without, each vertex of the models must be on the screen: not in front of the near plane, and within the guard band,
-    /// which reaches from the picture's centre on each side as far as the coordinates of the precision do on the nearest:
-    /// 959 pixels for 128 x 64 pixels at the origin with [`Sub4`]. Otherwise
-    /// [`Frame::prepare`](crate::scene::Frame::prepare) is an error that says which model and why; no picture is ever wrong. All
-    /// pictures are those with cut faces. But for a far plane: in
-    /// perspective faces behind it are drawn.
+    /// which reaches from the picture's centre on each side as far as the coordinates of the precision do on the nearest: 959
+    /// pixels for 128 x 64 pixels at the origin with [`Sub4`]. Otherwise [`Frame::prepare`](crate::scene::Frame::prepare) is an
+    /// error that says which model and why; no picture is ever wrong. All pictures are those with cut faces. But for a far
+    /// plane: in perspective faces behind it are drawn.
     const CLIPS: bool = true;
 
     /// Whether a row that more faces cross than the memory has slots for (`ACTIVE`) is drawn in as many passes as it takes: the

@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use crate::scene::Look;
 
-/// The [`Look`] `L` without passes: where more faces cross a row than there are slots, preparing the frame is an error that says how
-/// many would do ([`Look::DRAWS_IN_PASSES`]). Saves about 2 KB of flash.
+/// The [`Look`] `L` without passes: where more faces cross a row than there are slots, preparing the frame is an error that
+/// says how many would do ([`Look::DRAWS_IN_PASSES`]). Saves about 2 KB of flash.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct OnePass<L>(PhantomData<L>);

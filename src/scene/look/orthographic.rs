@@ -10,12 +10,12 @@ use crate::{
 };
 
 /// The [`Look`] `L` with parallel rays instead of perspective: things are as large wherever they are, by the camera's
-/// [scale](Camera::with_scale), as in plans and in isometric views. A vertex takes no division, and what a shading divides by the
-/// depth varies evenly on the screen.
+/// [scale](Camera::with_scale), as in plans and in isometric views. A vertex takes no division, and what a shading divides by
+/// the depth varies evenly on the screen.
 ///
-/// Depth falls evenly from the near to the far plane of the camera ([`Camera::with_far`]), which reaches 32,768 units until it is
-/// set. One unit of it is 1/65,536 of the way between them with `u16`, taken up to the next power of two, 256 times finer with `u32`. What
-/// is behind the far plane is cut away.
+/// Depth falls evenly from the near to the far plane of the camera ([`Camera::with_far`]), which reaches 32,768 units until it
+/// is set. One unit of it is 1/65,536 of the way between them with `u16`, taken up to the next power of two, 256 times finer
+/// with `u32`. What is behind the far plane is cut away.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};

@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use crate::scene::Look;
 
-/// The [`Look`] `L` without the shortcuts that a frame may allow ([`Look::HURRIES`]): the picture is the same, bit for bit, and takes
-/// longer. To see what the shortcuts save, and in tests.
+/// The [`Look`] `L` without the shortcuts that a frame may allow ([`Look::HURRIES`]): the picture is the same, bit for bit, and
+/// takes longer. To see what the shortcuts save, and in tests.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Unhurried<L>(PhantomData<L>);

@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use crate::scene::Look;
 
-/// The [`Look`] `L` without cut faces, for objects that stay in front of the camera and within the guard band: where a vertex does not,
-/// preparing the frame is an error that names its model ([`Look::CLIPS`]). Saves about 3 KB of flash.
+/// The [`Look`] `L` without cut faces, for objects that stay in front of the camera and within the guard band: where a vertex
+/// does not, preparing the frame is an error that names its model ([`Look::CLIPS`]). Saves about 3 KB of flash.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Whole<L>(PhantomData<L>);

@@ -22,8 +22,8 @@ pub trait Attributes: Copy + Debug + Planes {
 // Not re-exported: what a face keeps of its attributes is the library's own.
 /// How attributes are interpolated over a face.
 pub trait Planes: CutAttributes {
-    /// The attributes at a pixel, each with 16 fractional bits; half a unit is added to those that vary evenly on the screen, so
-    /// that their upper 16 bits are the nearest whole number.
+    /// The attributes at a pixel, each with 16 fractional bits; half a unit is added to those that vary evenly on the screen,
+    /// so that their upper 16 bits are the nearest whole number.
     type Values: Copy + Debug;
     /// What an active face keeps of the attributes of its corners.
     type Planes: Copy + Debug;
@@ -86,7 +86,8 @@ pub struct Run<V> {
 
 /// A face whose attributes are set up: the planes through its corners.
 pub trait PlaneSource {
-    /// The plane through three numbers below 2^15 in size, one a corner, with 16 fractional bits, half a unit above the numbers.
+    /// The plane through three numbers below 2^15 in size, one a corner, with 16 fractional bits, half a unit above the
+    /// numbers.
     fn plane(&self, corners: [i32; 3]) -> ScreenPlane;
 
     /// The depths of the corners, as 32-bit fractions.

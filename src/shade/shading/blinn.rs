@@ -7,8 +7,8 @@
 //!     ----\|/-/----
 //! ```
 //!
-//! Guarantees: a highlight is within 16 + 3 * exponent of the exact one, in 1/32,768, where light and eye are at least 32 units away and in
-//! directions less than 150 degrees apart, measured over a million random cases.
+//! Guarantees: a highlight is within 16 + 3 * exponent of the exact one, in 1/32,768, where light and eye are at least 32 units
+//! away and in directions less than 150 degrees apart, measured over a million random cases.
 //!
 //! Source: Blinn (1977), "Models of light reflection for computer synthesized pictures".
 
@@ -27,11 +27,11 @@ use crate::{
 
 /// Lights whose diffuse reflection is that of [`Lambert`], with highlights where a surface mirrors them to the camera.
 ///
-/// Highlights are white in [`Gouraud`](crate::shade::Gouraud) and [`FlatLit`](crate::shade::FlatLit) shading. Under textures, they
-/// brighten texels up to their own colours.
+/// Highlights are white in [`Gouraud`](crate::shade::Gouraud) and [`FlatLit`](crate::shade::FlatLit) shading. Under textures,
+/// they brighten texels up to their own colours.
 ///
-/// A highlight is within 2.5 % of full light of the exact one at the greatest sharpness, and within 1/1,000 at the least, where light and eye
-/// are at least 32 units away and in directions less than 150 degrees apart.
+/// A highlight is within 2.5 % of full light of the exact one at the greatest sharpness, and within 1/1,000 at the least, where
+/// light and eye are at least 32 units away and in directions less than 150 degrees apart.
 ///
 /// Cost: for each vertex that a light falls on, two roots, six divisions and about 30 multiplications a light.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -101,8 +101,8 @@ impl<const LIGHTS: usize, const POINTS: usize> MirroredLights<LIGHTS, POINTS> {
     }
 }
 
-/// How much of a light of some brightness a surface mirrors into the eye, in units of 1/32,768. Directions and the normal have a
-/// length of 1 with 14 fractional bits.
+/// How much of a light of some brightness a surface mirrors into the eye, in units of 1/32,768. Directions and the normal have
+/// a length of 1 with 14 fractional bits.
 fn mirrored(to_light: [i32; 3], to_eye: [i32; 3], normal: [i32; 3], sharpness: u8, brightness: u32) -> i32 {
     if dot(normal, to_light) <= 0 {
         return 0;

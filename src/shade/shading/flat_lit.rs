@@ -1,8 +1,9 @@
-//! Flat shading under lights: one colour a face, as bright as the light on its normal. Computed once a face and frame, when rows
-//! reach it, so that faces which are not seen take no time; nothing is kept for it, and a pixel costs what it costs without lights.
+//! Flat shading under lights: one colour a face, as bright as the light on its normal. Computed once a face and frame, when
+//! rows reach it, so that faces which are not seen take no time; nothing is kept for it, and a pixel costs what it costs
+//! without lights.
 //!
-//! Source: Lambert (1760), with one normal a face (Bouknight 1970, "A procedure for generation of three-dimensional half-toned computer
-//! graphics presentations").
+//! Source: Lambert (1760), with one normal a face (Bouknight 1970, "A procedure for generation of three-dimensional half-toned
+//! computer graphics presentations").
 
 use core::marker::PhantomData;
 
@@ -33,8 +34,8 @@ pub struct FlatLit<C, L = Lambert<1>>(PhantomData<(C, L)>);
 pub struct FlatLitSkin<'a, C, L = Lambert<1>> {
     /// The colours of the faces; the last one is that of all faces after it, so that one colour does for a model.
     pub colors: &'a [C],
-    /// The normals of the faces, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| + |y| + |z|;
-    /// where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y.
+    /// The normals of the faces, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| + |y| +
+    /// |z|; where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y.
     pub normals: &'a [[i8; 2]],
     /// The lights.
     pub lights: L,

@@ -8,9 +8,10 @@
 //!                 start  end       distance along the camera's axis
 //! ```
 //!
-//! Guarantees: fog has 33 steps; in front of its start each pixel keeps its colour, and behind its end it has the fog's. The depth of
-//! a pixel in the fog is within 1/64 of the way from start to end, for faces that reach no farther than 63 times that way from its
-//! start, in coordinates so small that 1/32,768 of them is no distance, and with depths that differ by up to 100 times.
+//! Guarantees: fog has 33 steps; in front of its start each pixel keeps its colour, and behind its end it has the fog's. The
+//! depth of a pixel in the fog is within 1/64 of the way from start to end, for faces that reach no farther than 63 times that
+//! way from its start, in coordinates so small that 1/32,768 of them is no distance, and with depths that differ by up to 100
+//! times.
 //!
 //! Cost of a pixel: an addition, a look-up, and two multiplications' worth of mixing.
 //!
@@ -30,8 +31,8 @@ use crate::{
 
 /// The shading `H` in a fog.
 ///
-/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Foggy<Rgb565>>`, `Foggy<Gouraud<Rgb565>>`. A model's skin is
-/// what the shading in the fog takes, and the [`Fog`]: `(skin, fog)`.
+/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Foggy<Rgb565>>`, `Foggy<Gouraud<Rgb565>>`. A model's
+/// skin is what the shading in the fog takes, and the [`Fog`]: `(skin, fog)`.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Foggy<H>(PhantomData<H>);
@@ -48,7 +49,8 @@ pub struct Fog<'a, C> {
     /// The distance from which on nothing else is seen, at least one unit beyond the start.
     #[cfg_attr(feature = "defmt", defmt(Debug2Format))]
     pub end: I16F16,
-    /// How much fog there is at 64 distances from start to end, in 1/32: at most 32. [`Fog::LINEAR`], [`Fog::EXPONENTIAL`], or any.
+    /// How much fog there is at 64 distances from start to end, in 1/32: at most 32. [`Fog::LINEAR`], [`Fog::EXPONENTIAL`], or
+    /// any.
     pub curve: &'a [u8; 64],
 }
 

@@ -3,8 +3,8 @@
 //! A face of one colour under lights becomes a face whose channels vary; a plane through the corners gives each channel at each
 //! pixel. What is bright inside a face but not at a corner is not seen: that is what finer meshes are for.
 //!
-//! Guarantees: at a pixel centre a channel is the nearest level to the exact plane through its corners' levels, to within 1/256 of a
-//! level; no level wraps. Cost: three additions a pixel; 12 bytes a channel for each active face, 6 bytes a vertex.
+//! Guarantees: at a pixel centre a channel is the nearest level to the exact plane through its corners' levels, to within 1/256
+//! of a level; no level wraps. Cost: three additions a pixel; 12 bytes a channel for each active face, 6 bytes a vertex.
 //!
 //! Source: Gouraud (1971), "Continuous shading of curved surfaces".
 
@@ -37,8 +37,9 @@ pub struct Gouraud<C, L = Lambert<1>>(PhantomData<(C, L)>);
 pub struct GouraudSkin<'a, C, L = Lambert<1>> {
     /// The colours of the vertices; the last one is that of all vertices after it, so that one colour does for a model.
     pub colors: &'a [C],
-    /// The normals of the vertices, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| + |y| + |z|;
-    /// where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y. Not used without lights.
+    /// The normals of the vertices, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| + |y|
+    /// + |z|; where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y. Not used without
+    /// lights.
     pub normals: &'a [[i8; 2]],
     /// The lights.
     pub lights: L,

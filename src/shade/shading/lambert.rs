@@ -28,8 +28,8 @@ impl DirectionalLight {
         towards: [I16F16::ZERO; 3],
     };
 
-    /// Light that comes from where a vector of any length points to, in the axes of the world: x to the right, y up, z away from
-    /// the viewer. A surface that faces it has the light's intensity.
+    /// Light that comes from where a vector of any length points to, in the axes of the world: x to the right, y up, z away
+    /// from the viewer. A surface that faces it has the light's intensity.
     ///
     /// # Errors
     /// [`InputError::NoDirection`] for a vector of length 0.
@@ -70,8 +70,8 @@ const fn part(coordinate: i64, intensity: u16, length: u64) -> I16F16 {
 /// A surface has the ambient light, and of each light its intensity times the cosine of the angle to its normal, if that is not
 /// behind it; at most 1 together.
 ///
-/// Cost: for each vertex, three multiplications a light from a direction; a root, two divisions and about 15 multiplications a light from
-/// a point.
+/// Cost: for each vertex, three multiplications a light from a direction; a root, two divisions and about 15 multiplications a
+/// light from a point.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lambert<const LIGHTS: usize, const POINTS: usize = 0> {
@@ -115,8 +115,8 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Lambert<LIGHTS, POIN
         }
     }
 
-    /// The light on a surface, within 8 units of the exact light, and 10 more for each light from a point, which is more where the light is
-    /// near: [`PointLight`] says how much.
+    /// The light on a surface, within 8 units of the exact light, and 10 more for each light from a point, which is more where
+    /// the light is near: [`PointLight`] says how much.
     #[inline(always)]
     fn reflected(lights: &ModelLights<LIGHTS, POINTS>, normal: [i32; 3], position: [i32; 3]) -> ReflectedLight {
         let [x, y, z] = normal;

@@ -17,8 +17,8 @@ pub trait Lighting: Copy + Debug + 'static {
     /// The lights in the axes of a model that is in a pose before a camera. Called once a model and frame.
     fn seen_from(&self, pose: &Pose, camera: &Camera) -> Self::OfModel;
 
-    /// The light that the surface at a position of a model reflects, from its normal of length 1 with 14 fractional bits. Called once a
-    /// vertex and frame, or once a face and frame.
+    /// The light that the surface at a position of a model reflects, from its normal of length 1 with 14 fractional bits.
+    /// Called once a vertex and frame, or once a face and frame.
     fn reflected(lights: &Self::OfModel, normal: [i32; 3], position: [i32; 3]) -> ReflectedLight;
 }
 

@@ -1,9 +1,9 @@
 //! How the faces of a scene get their colours: a shading is one file that implements [`Shading`].
 //!
-//! A shading runs in three places, as a GPU's shaders do: once a model and frame ([`Shading::uniforms`]), once a vertex and frame
-//! ([`Shading::vertex`]), and once a pixel ([`Shading::fragment`]), or, where nothing varies over a face, once a face
-//! ([`Shading::face`]). What a vertex has beside its position are its [`Attributes`]; a plane through its corners gives each of them
-//! at each pixel of a face.
+//! A shading runs in three places, as a GPU's shaders do: once a model and frame ([`Shading::uniforms`]), once a vertex and
+//! frame ([`Shading::vertex`]), and once a pixel ([`Shading::fragment`]), or, where nothing varies over a face, once a face
+//! ([`Shading::face`]). What a vertex has beside its position are its [`Attributes`]; a plane through its corners gives each of
+//! them at each pixel of a face.
 
 mod attributes;
 mod blinn;
@@ -44,8 +44,8 @@ use crate::{
 
 /// How the faces of a model get their colours. Every colour is the plainest shading: one colour a face.
 ///
-/// What varies over a face are the [`Attributes`] of its vertices, numbers that are kept from preparing a frame to drawing it. A
-/// shading whose attributes are `()` takes no memory and no time a pixel.
+/// What varies over a face are the [`Attributes`] of its vertices, numbers that are kept from preparing a frame to drawing it.
+/// A shading whose attributes are `()` takes no memory and no time a pixel.
 ///
 /// A shading of a program's own, which is a [`Look`](crate::scene::Look) at once: the nearer to the viewer a model's vertices
 /// are, the brighter.
@@ -105,8 +105,9 @@ pub trait Shading: 'static {
     type Uniforms: Copy;
     /// What varies over a face: `()`, `[i16; N]`, [`Perspective<N>`](Perspective), or a pair of these.
     type Attributes: Attributes;
-    /// How far attributes that vary evenly in space may be from the exact ones, in their own units: where a face is so small or so
-    /// far away that no attribute is farther off, it is drawn without divisions. One number, or a pair for a pair of attributes.
+    /// How far attributes that vary evenly in space may be from the exact ones, in their own units: where a face is so small or
+    /// so far away that no attribute is farther off, it is drawn without divisions. One number, or a pair for a pair of
+    /// attributes.
     const TOLERANCE: <Self::Attributes as Planes>::Tolerance = <Self::Attributes as Planes>::EXACT;
 
     /// Checks that a skin has what a mesh needs.
@@ -136,27 +137,27 @@ pub trait Shading: 'static {
         Some(PixelWord::ZERO)
     }
 
-    /// The word of a pixel of a face, from the word of the face and the attributes at the pixel, each with 16 fractional bits: in a
-    /// byte order that is the machine's. `None` for a hole, through which what is behind is seen. Called once a pixel where
-    /// attributes vary; otherwise the word of the face is the pixel's.
+    /// The word of a pixel of a face, from the word of the face and the attributes at the pixel, each with 16 fractional bits:
+    /// in a byte order that is the machine's. `None` for a hole, through which what is behind is seen. Called once a pixel
+    /// where attributes vary; otherwise the word of the face is the pixel's.
     fn fragment(
         skin: &Self::Skin<'_>,
         face: <Self::Color as BandColor>::Word,
         attributes: &<Self::Attributes as Planes>::Values,
     ) -> Option<<Self::Color as BandColor>::Word>;
 
-    /// Whether models have an [affine map](Self::affine) before their poses, as [`Transformed`] ones do. Where they have none, nothing
-    /// is linked for it.
+    /// Whether models have an [affine map](Self::affine) before their poses, as [`Transformed`] ones do. Where they have none,
+    /// nothing is linked for it.
     const HAS_AFFINE_MAP: bool = false;
 
-    /// The affine map of a model, which takes its vertices to where its pose then moves them. Called a few times a model and frame, and
-    /// once a face.
+    /// The affine map of a model, which takes its vertices to where its pose then moves them. Called a few times a model and
+    /// frame, and once a face.
     fn affine<'s>(_: &'s Self::Skin<'_>) -> &'s Affine {
         &Affine::IDENTITY
     }
 
-    /// The attributes of a vertex of a [`Transformed`] model, and its position as the map has it. A shading with normals takes them
-    /// through the matrix of `normals` ([`Affine::normals`]); any other one has the attributes that it has without a map.
+    /// The attributes of a vertex of a [`Transformed`] model, and its position as the map has it. A shading with normals takes
+    /// them through the matrix of `normals` ([`Affine::normals`]); any other one has the attributes that it has without a map.
     #[inline]
     fn transformed_vertex(
         skin: &Self::Skin<'_>,
@@ -168,8 +169,8 @@ pub trait Shading: 'static {
         Self::vertex(skin, uniforms, vertex, position)
     }
 
-    /// The word of a face of a [`Transformed`] model, whose maps of positions and of normals ([`Affine::normals`]) are there. A shading
-    /// with normals takes them through the matrix of the latter; any other one has the word that it has without a map.
+    /// The word of a face of a [`Transformed`] model, whose maps of positions and of normals ([`Affine::normals`]) are there. A
+    /// shading with normals takes them through the matrix of the latter; any other one has the word that it has without a map.
     #[inline]
     fn transformed_face(
         skin: &Self::Skin<'_>,

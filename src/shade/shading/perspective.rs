@@ -1,19 +1,19 @@
 //! Attributes that vary evenly in space, and so not on the screen: they are divided by the depth.
 //!
-//! What varies evenly on the screen is an attribute times 1/w, and 1/w itself, which the stored depth is. So a face keeps the planes
-//! of attribute times depth, and the attribute is the quotient of two planes:
+//! What varies evenly on the screen is an attribute times 1/w, and 1/w itself, which the stored depth is. So a face keeps the
+//! planes of attribute times depth, and the attribute is the quotient of two planes:
 //!
 //! ```text
 //!     u(x, y) = (u * d)(x, y) / d(x, y)         exact at the first and the last pixel of a span and where the column
 //!                                               is a multiple of 16, and evenly in between
 //! ```
 //!
-//! Where a face's depths and attributes differ so little that their own planes are within the tolerance everywhere, those are kept,
-//! and nothing is divided. By how much they miss is a covariance, and so at most a quarter of the attribute's range over the face
-//! times the range of the depth, divided by the depth.
+//! Where a face's depths and attributes differ so little that their own planes are within the tolerance everywhere, those are
+//! kept, and nothing is divided. By how much they miss is a covariance, and so at most a quarter of the attribute's range over
+//! the face times the range of the depth, divided by the depth.
 //!
-//! Source: Heckbert and Moreton (1991), "Interpolation for polygon texture mapping and shading"; a division every 16 pixels as in
-//! Abrash (1997), "Graphics programming black book", chapter 68.
+//! Source: Heckbert and Moreton (1991), "Interpolation for polygon texture mapping and shading"; a division every 16 pixels as
+//! in Abrash (1997), "Graphics programming black book", chapter 68.
 
 use core::num::Wrapping;
 
@@ -23,7 +23,8 @@ use crate::{
     shade::shading::attributes::{Attributes, PlaneSource, Planes, Run, SpanPosition},
 };
 
-/// Attributes that vary evenly in space: `N` 16-bit numbers a vertex, divided by the depth at every 16th pixel of a span at least.
+/// Attributes that vary evenly in space: `N` 16-bit numbers a vertex, divided by the depth at every 16th pixel of a span at
+/// least.
 ///
 /// At a pixel they are not rounded: the 16 fractional bits are those of the number. Where a face's depths differ by up to 100
 /// times, numbers over a range of 4,096 are within one unit where they are divided. Numbers within 8 units of the ends of `i16`
@@ -177,8 +178,8 @@ fn by_attribute<const N: usize>([a, b, c]: &[[i16; N]; 3]) -> impl Iterator<Item
     a.iter().zip(b).zip(c).map(|((a, b), c)| [*a, *b, *c])
 }
 
-/// The attributes of the corner from which the others are counted: the farthest or the nearest one, whose depth is farther from that
-/// of the corner in the middle, as a ratio. So the products with the depths of the two others have about as many digits.
+/// The attributes of the corner from which the others are counted: the farthest or the nearest one, whose depth is farther from
+/// that of the corner in the middle, as a ratio. So the products with the depths of the two others have about as many digits.
 fn odd_one_out<const N: usize>([a, b, c]: [[i16; N]; 3], [depth_a, depth_b, depth_c]: [u32; 3]) -> [i16; N] {
     let (least, most) = (depth_a.min(depth_b).min(depth_c), depth_a.max(depth_b).max(depth_c));
     let middle = u64::from(depth_a ^ depth_b ^ depth_c ^ least ^ most);

@@ -6,8 +6,8 @@
 //!
 //! where d is the distance, and h the one at which the light is half as bright as at the lamp.
 //!
-//! Guarantees: a light is within 10/32,768 of the exact one, and 3,000/32,768 divided by the distance in units, measured over a million
-//! random cases.
+//! Guarantees: a light is within 10/32,768 of the exact one, and 3,000/32,768 divided by the distance in units, measured over a
+//! million random cases.
 //!
 //! Source: attenuation as in Foley, van Dam, Feiner, Hughes (1990), "Computer graphics", section 16.1.
 
@@ -19,8 +19,9 @@ use crate::{geometry::leading_zeros, shade::shading::lighting::FULL, view::Pose}
 
 /// Light from a point of the world, as from a lamp.
 ///
-/// The light on a surface is within 10/32,768 of the exact light, and 3,000/32,768 divided by the distance in units, because positions in
-/// a model are rounded to 1/16 unit. A vertex in the very place of the light has none of it: there is no direction.
+/// The light on a surface is within 10/32,768 of the exact light, and 3,000/32,768 divided by the distance in units, because
+/// positions in a model are rounded to 1/16 unit. A vertex in the very place of the light has none of it: there is no
+/// direction.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PointLight {

@@ -14,17 +14,17 @@ use crate::{
 
 /// The shading `H` of models that an [`Affine`] map changes before their poses turn and move them.
 ///
-/// What a model takes beside its mesh is that of `H` and its map: `(skin, map)`. A vertex costs three long multiplications a coordinate
-/// instead of short ones; the normal of a vertex or a face that is lit a square root and three divisions of 32 bits. Coordinates in eye
-/// space are within 2^-12 units and 2^-25 times the sum of the sizes of the vertex' coordinates; normals within 2 units of 1/16,384 of the
-/// exact directions. Shadings that are posed alone cost what they do without this type.
+/// What a model takes beside its mesh is that of `H` and its map: `(skin, map)`. A vertex costs three long multiplications a
+/// coordinate instead of short ones; the normal of a vertex or a face that is lit a square root and three divisions of 32 bits.
+/// Coordinates in eye space are within 2^-12 units and 2^-25 times the sum of the sizes of the vertex' coordinates; normals
+/// within 2 units of 1/16,384 of the exact directions. Shadings that are posed alone cost what they do without this type.
 ///
-/// A map that mirrors turns outsides into outsides: the corners of its faces run the other way, and the second and the third are
-/// exchanged, so that what was seen from the front still is. A map to a plane leaves faces on it; light on it comes from the side
-/// that its normals point to, where they point to one.
+/// A map that mirrors turns outsides into outsides: the corners of its faces run the other way, and the second and the third
+/// are exchanged, so that what was seen from the front still is. A map to a plane leaves faces on it; light on it comes from
+/// the side that its normals point to, where they point to one.
 ///
-/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Transformed<Gouraud<Rgb565>>>`. Not around itself: compose the maps
-/// ([`Affine::then`]).
+/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Transformed<Gouraud<Rgb565>>>`. Not around itself:
+/// compose the maps ([`Affine::then`]).
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};

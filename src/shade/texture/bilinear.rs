@@ -6,14 +6,14 @@
 //!     C-----D
 //! ```
 //!
-//! Guarantees: fractions have 5 bits; at the centre of a texel it is the texel itself, and between two texels of one colour it is that
-//! colour. Levels are rounded down twice, so that they are less than 2 too low for those fractions, whose own rounding moves a level
-//! by up to 1/16 of the range of the four.
+//! Guarantees: fractions have 5 bits; at the centre of a texel it is the texel itself, and between two texels of one colour it
+//! is that colour. Levels are rounded down twice, so that they are less than 2 too low for those fractions, whose own rounding
+//! moves a level by up to 1/16 of the range of the four.
 //!
 //! Cost of a pixel: four texels and three mixed words.
 //!
-//! Source: Catmull and Smith (1980), "3-D transformations of images in scanline order"; Heckbert (1989), "Fundamentals of texture
-//! mapping and image warping".
+//! Source: Catmull and Smith (1980), "3-D transformations of images in scanline order"; Heckbert (1989), "Fundamentals of
+//! texture mapping and image warping".
 
 use core::marker::PhantomData;
 
@@ -26,8 +26,8 @@ use crate::{
     surface::BandColor,
 };
 
-/// The texture `T` whose pixels are mixed of the four texels around them, so that large texels have soft edges. Where one of them
-/// is a hole, the pixel is the nearest texel.
+/// The texture `T` whose pixels are mixed of the four texels around them, so that large texels have soft edges. Where one of
+/// them is a hole, the pixel is the nearest texel.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bilinear<T>(PhantomData<T>);

@@ -7,8 +7,8 @@ use crate::{
     surface::BandColor,
 };
 
-/// The [`Indexed`] texture `T` where colour 0 of the palette is a hole: what is behind is seen there, and neither colour nor depth is
-/// stored.
+/// The [`Indexed`] texture `T` where colour 0 of the palette is a hole: what is behind is seen there, and neither colour nor
+/// depth is stored.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CutOut<T>(PhantomData<T>);

@@ -9,10 +9,11 @@ use crate::{
     surface::BandColor,
 };
 
-/// A [`Texture`] whose texels are numbers of `COLORS` colours of a palette: 2, 4, 16 or 256, which take 1, 2, 4 or 8 bits a texel.
+/// A [`Texture`] whose texels are numbers of `COLORS` colours of a palette: 2, 4, 16 or 256, which take 1, 2, 4 or 8 bits a
+/// texel.
 ///
-/// A row has `BYTES` bytes, a power of two, and 1, 2, 4 or 8 times as many texels; `HEIGHT` is a power of two. Of a byte, the highest
-/// bits are the leftmost texel, as in embedded-graphics' `ImageRaw`.
+/// A row has `BYTES` bytes, a power of two, and 1, 2, 4 or 8 times as many texels; `HEIGHT` is a power of two. Of a byte, the
+/// highest bits are the leftmost texel, as in embedded-graphics' `ImageRaw`.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Indexed<C, const BYTES: usize, const HEIGHT: usize, const COLORS: usize>(PhantomData<C>);

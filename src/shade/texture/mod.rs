@@ -1,8 +1,9 @@
-//! Pictures that faces are covered with: what a texel is, how textures go on beyond their edges, and how a pixel is made of texels.
+//! Pictures that faces are covered with: what a texel is, how textures go on beyond their edges, and how a pixel is made of
+//! texels.
 //!
-//! A [`Texture`] is a kind of picture: [`Texels`] of a display's own words, or [`Indexed`] colours of a palette, whose first one
-//! may be a hole ([`CutOut`]). Textures repeat, or end in the texels at their edges ([`Clamped`]). A [`Sampler`] makes a pixel of
-//! texels: every texture is the plainest one, which takes the nearest texel; [`Bilinear`] mixes four.
+//! A [`Texture`] is a kind of picture: [`Texels`] of a display's own words, or [`Indexed`] colours of a palette, whose first
+//! one may be a hole ([`CutOut`]). Textures repeat, or end in the texels at their edges ([`Clamped`]). A [`Sampler`] makes a
+//! pixel of texels: every texture is the plainest one, which takes the nearest texel; [`Bilinear`] mixes four.
 
 mod bilinear;
 mod clamped;
@@ -37,8 +38,8 @@ pub trait Texture: 'static {
     /// How many bits the number of a row has.
     const ROW_BITS: u32;
 
-    /// The word of a texel, in the machine's byte order; `None` for a hole. Columns and rows are counted from the upper left texel,
-    /// modulo width and height. Called at least once a pixel.
+    /// The word of a texel, in the machine's byte order; `None` for a hole. Columns and rows are counted from the upper left
+    /// texel, modulo width and height. Called at least once a pixel.
     fn texel(image: &Self::Image<'_>, column: u32, row: u32) -> Option<WordOf<Self>>;
 
     /// The column of the texture that a column of the plane shows, which the texture covers by repetition if this says nothing
@@ -60,7 +61,8 @@ pub trait Sampler: 'static {
     /// The texture.
     type Texture: Texture;
 
-    /// The word at texture coordinates in 1/4,096 of the texture with 16 fractional bits, u to the right, v down; `None` for a hole.
+    /// The word at texture coordinates in 1/4,096 of the texture with 16 fractional bits, u to the right, v down; `None` for a
+    /// hole.
     fn sample(image: &<Self::Texture as Texture>::Image<'_>, coordinates: [i32; 2]) -> Option<WordOf<Self::Texture>>;
 }
 

@@ -7,8 +7,8 @@ use crate::{
     surface::{BandColor, PixelWord},
 };
 
-/// A [`Texture`] of `WIDTH` x `HEIGHT` texels, powers of two, each a word of the colour `C` ([`BandColor::to_word`]). A picture is the
-/// texels row by row; it takes 2 bytes a texel for colours of 16 bits.
+/// A [`Texture`] of `WIDTH` x `HEIGHT` texels, powers of two, each a word of the colour `C` ([`BandColor::to_word`]). A picture
+/// is the texels row by row; it takes 2 bytes a texel for colours of 16 bits.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Texels<C, const WIDTH: usize, const HEIGHT: usize>(PhantomData<C>);

@@ -375,8 +375,8 @@ impl Scene {
     }
 }
 
-/// The Utah teapot at 240 x 320 in each shading, and a square with a texture: a frame up to its finished rows, what of it is preparing,
-/// and the frame on a display. Budgets are in instructions.
+/// The Utah teapot at 240 x 320 in each shading, and a square with a texture: a frame up to its finished rows, what of it is
+/// preparing, and the frame on a display. Budgets are in instructions.
 fn teapots() -> impl Iterator<Item = Case> {
     let counts = [
         (

@@ -39,8 +39,8 @@ pub struct Options {
     /// Writes the figures as an array of JSON objects
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Writes the figures into the tables of docs/algorithms.md and docs/band-height.md, and draws the plot of the latter; with --only
-    /// into the page that has what was measured
+    /// Writes the figures into the tables of docs/algorithms.md and docs/band-height.md, and draws the plot of the latter; with
+    /// --only into the page that has what was measured
     #[arg(long)]
     docs: bool,
     /// Counts instructions alone: the plugin that estimates cycles is one for QEMU 4.2 to 8.1
@@ -55,8 +55,8 @@ pub struct Options {
 ///
 /// # Errors
 ///
-/// [`NothingSelected`] where the options leave nothing to measure; a tool is missing, a firmware does not build or run, or a count is
-/// void.
+/// [`NothingSelected`] where the options leave nothing to measure; a tool is missing, a firmware does not build or run, or a
+/// count is void.
 pub fn run(options: &Options) -> anyhow::Result<()> {
     let mut cases = cases::all();
     // A report of its own, which takes minutes: counted where it is asked for.

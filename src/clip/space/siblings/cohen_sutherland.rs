@@ -1,6 +1,6 @@
-//! Cohen and Sutherland's segment clipping in homogeneous space: outcodes of six bits (Newman and Sproull 1979; Blinn and Newell
-//! 1978, "Clipping Using Homogeneous Coordinates", SIGGRAPH). An end that is outside moves to the plane of one of its bits, until
-//! both ends are inside, or share a bit.
+//! Cohen and Sutherland's segment clipping in homogeneous space: outcodes of six bits (Newman and Sproull 1979; Blinn and
+//! Newell 1978, "Clipping Using Homogeneous Coordinates", SIGGRAPH). An end that is outside moves to the plane of one of its
+//! bits, until both ends are inside, or share a bit.
 //!
 //! ```text
 //!     bit 5   4     3    2       1      0
@@ -25,8 +25,8 @@ impl Segments {
     ///
     /// The part is that of [`homogeneous_liang_barsky`](Self::homogeneous_liang_barsky).
     ///
-    /// Takes any vertices. Cost: two products with the matrix; for each move of an end up to 24 products for its new outcode. Source:
-    /// Cohen and Sutherland 1967; Blinn and Newell 1978.
+    /// Takes any vertices. Cost: two products with the matrix; for each move of an end up to 24 products for its new outcode.
+    /// Source: Cohen and Sutherland 1967; Blinn and Newell 1978.
     pub fn homogeneous_cohen_sutherland(from: [i16; 3], to: [i16; 3], matrix: &ClipMatrix) -> Option<SpaceSegment> {
         let ends = Ends {
             from: distances(matrix.apply(from)),
@@ -61,8 +61,8 @@ struct Ends {
 }
 
 impl Ends {
-    /// Where the segment crosses a plane. Its ends are on two sides of it: an end beyond a plane moves, and the other is not beyond
-    /// that plane.
+    /// Where the segment crosses a plane. Its ends are on two sides of it: an end beyond a plane moves, and the other is not
+    /// beyond that plane.
     fn cut(&self, plane: usize) -> Option<Fraction> {
         Some(Fraction::of_crossing(*self.from.get(plane)?, *self.to.get(plane)?))
     }
@@ -82,7 +82,8 @@ fn outcode(distances: [i64; 6]) -> u8 {
     planes.fold(0, |code, &distance| code << 1 | u8::from(distance < 0))
 }
 
-/// How far inside of the six planes a point is: left, right, bottom, top, near, far. Of coordinates that a matrix made, below 2^60.
+/// How far inside of the six planes a point is: left, right, bottom, top, near, far. Of coordinates that a matrix made, below
+/// 2^60.
 fn distances(ClipPoint { x, y, z, w }: ClipPoint) -> [i64; 6] {
     [w + x, w - x, w + y, w - y, z, w - z]
 }

@@ -1,9 +1,9 @@
-//! Sutherland and Hodgman's polygon clipping (1974) in eye space: against the six planes of what a camera sees, one after the other, in
-//! the space of the vertices; what is left is brought to clip coordinates at last.
+//! Sutherland and Hodgman's polygon clipping (1974) in eye space: against the six planes of what a camera sees, one after the
+//! other, in the space of the vertices; what is left is brought to clip coordinates at last.
 //!
-//! Guarantees: the polygon of [`ClipMatrix::sutherland_hodgman`], but for rounding: the corners that planes add are rounded to 1/65,536 of
-//! the vertices' unit here, and to a unit of the matrix there. Where a corner lies so near to a plane that this decides, one of both
-//! may have a corner more, beside another one.
+//! Guarantees: the polygon of [`ClipMatrix::sutherland_hodgman`], but for rounding: the corners that planes add are rounded to
+//! 1/65,536 of the vertices' unit here, and to a unit of the matrix there. Where a corner lies so near to a plane that this
+//! decides, one of both may have a corner more, beside another one.
 //!
 //! Take it where the distances of the vertices are wanted in space, as for a collision; in homogeneous coordinates the planes
 //! take no products at all.
@@ -23,14 +23,15 @@ use crate::clip::space::{
 const POSITION_BITS: u32 = 16;
 
 impl ClipMatrix {
-    /// What a camera sees of a face, cut by planes in the space of the vertices, which is eye space where the matrix is the projection
-    /// alone: the corners of a convex polygon in clip coordinates, and `N` numbers that vary evenly over it. Empty where nothing of
-    /// it is visible.
+    /// What a camera sees of a face, cut by planes in the space of the vertices, which is eye space where the matrix is the
+    /// projection alone: the corners of a convex polygon in clip coordinates, and `N` numbers that vary evenly over it. Empty
+    /// where nothing of it is visible.
     ///
-    /// The polygon is that of [`sutherland_hodgman`](Self::sutherland_hodgman) but for the rounding of corners to 1/65,536 unit.
+    /// The polygon is that of [`sutherland_hodgman`](Self::sutherland_hodgman) but for the rounding of corners to 1/65,536
+    /// unit.
     ///
-    /// Takes any vertices and attributes. Cost: nine products of 64 bits for each corner and plane, and 36 for each corner of the
-    /// result. Source: Sutherland and Hodgman 1974; planes as Gribb and Hartmann 2001.
+    /// Takes any vertices and attributes. Cost: nine products of 64 bits for each corner and plane, and 36 for each corner of
+    /// the result. Source: Sutherland and Hodgman 1974; planes as Gribb and Hartmann 2001.
     pub fn sutherland_hodgman_in_eye_space<const N: usize>(
         &self,
         face: &[([i16; 3], [i32; N]); 3],

@@ -1,10 +1,10 @@
-//! A triangle in homogeneous coordinates, without clipping and without a division (Olano and Greer 1997, "Triangle Scan Conversion
-//! Using 2D Homogeneous Coordinates", SIGGRAPH/Eurographics Workshop on Graphics Hardware).
+//! A triangle in homogeneous coordinates, without clipping and without a division (Olano and Greer 1997, "Triangle Scan
+//! Conversion Using 2D Homogeneous Coordinates", SIGGRAPH/Eurographics Workshop on Graphics Hardware).
 //!
-//! The edge between two corners and the eye span a plane. The cross product of the corners' (x, y, w) is at right angles to it: for the
-//! direction (X, Y, 1) of a pixel its product says on which side the ray passes, whether the corners are in front of the eye,
-//! behind it, or beside it. Where all three say what the determinant of the corners says, the ray meets the triangle in front of
-//! the eye.
+//! The edge between two corners and the eye span a plane. The cross product of the corners' (x, y, w) is at right angles to it:
+//! for the direction (X, Y, 1) of a pixel its product says on which side the ray passes, whether the corners are in front of
+//! the eye, behind it, or beside it. Where all three say what the determinant of the corners says, the ray meets the triangle
+//! in front of the eye.
 //!
 //! ```text
 //!            c               | xa ya wa |
@@ -16,15 +16,15 @@
 //!
 //! Near and far plane are two more such functions: they are the depths of the corners, weighted by the edges opposite.
 //!
-//! Guarantees: no number wraps, whatever the coordinates. Each corner is rounded once to 19 bits, to fewer where the viewport has
-//! more than 2^21 pixels, so that an edge moves by some 2^-18 of the viewport: on 320 x 240 pixels 1/800 of one. So the pixels are those
-//! of a triangle that is clipped first, but where an edge passes that near to a pixel's centre, or as near as that way snaps corners,
-//! half a unit. It is more where the eye lies nearly on an edge, between its corners. Near and far plane cut within 2^-18 of how far the
-//! corners are from them. Two triangles with a common edge have no common pixel along it, and leave none out, whatever is rounded:
-//! both compute the same function, but for its sign.
+//! Guarantees: no number wraps, whatever the coordinates. Each corner is rounded once to 19 bits, to fewer where the viewport
+//! has more than 2^21 pixels, so that an edge moves by some 2^-18 of the viewport: on 320 x 240 pixels 1/800 of one. So the
+//! pixels are those of a triangle that is clipped first, but where an edge passes that near to a pixel's centre, or as near as
+//! that way snaps corners, half a unit. It is more where the eye lies nearly on an edge, between its corners. Near and far
+//! plane cut within 2^-18 of how far the corners are from them. Two triangles with a common edge have no common pixel along it,
+//! and leave none out, whatever is rounded: both compute the same function, but for its sign.
 //!
-//! Take it where faces are large, or around the eye, and clipping is to be saved: it has no cases. It asks pixels from the left side
-//! of the window on, as long as it does not know where a row begins.
+//! Take it where faces are large, or around the eye, and clipping is to be saved: it has no cases. It asks pixels from the left
+//! side of the window on, as long as it does not know where a row begins.
 
 use crate::{
     clip::ClipPoint,
@@ -35,14 +35,14 @@ use crate::{
 };
 
 impl Polygons {
-    /// Hands over the visible spans of a triangle in clip coordinates, top to bottom, without clipping it: what of it lies between near
-    /// and far plane and in the camera's viewport, in a window. Right for corners beside the eye and behind it.
+    /// Hands over the visible spans of a triangle in clip coordinates, top to bottom, without clipping it: what of it lies
+    /// between near and far plane and in the camera's viewport, in a window. Right for corners beside the eye and behind it.
     ///
-    /// Takes any numbers as coordinates. A pixel on an edge belongs to the triangle to the right of it, or below. A triangle that is
-    /// seen from its edge has no pixels.
+    /// Takes any numbers as coordinates. A pixel on an edge belongs to the triangle to the right of it, or below. A triangle
+    /// that is seen from its edge has no pixels.
     ///
-    /// Cost: some 60 products to set up; five additions a pixel of the window, up to the right end of each row's span. Source: Olano and
-    /// Greer 1997.
+    /// Cost: some 60 products to set up; five additions a pixel of the window, up to the right end of each row's span. Source:
+    /// Olano and Greer 1997.
     ///
     /// ```
     /// use core::convert::Infallible;
@@ -113,8 +113,8 @@ struct PixelFunction {
 }
 
 impl PixelFunction {
-    /// `x` times the position in the viewport from -1 to 1, plus `y` times that upwards, plus `one`; times the viewport's pixels, so that
-    /// all numbers are whole. Below 2^62 for all pixels and those around.
+    /// `x` times the position in the viewport from -1 to 1, plus `y` times that upwards, plus `one`; times the viewport's
+    /// pixels, so that all numbers are whole. Below 2^62 for all pixels and those around.
     fn new([x, y, one]: [i64; 3], viewport: &Window) -> Self {
         let (width, height) = (i64::from(viewport.width()), i64::from(viewport.height()));
         // Centres of pixels, in half pixels from the middle: from 1 - size to size - 1.
@@ -191,8 +191,8 @@ fn rounded(corners: &[ClipPoint; 3], shifts: &[u32; 3], index: usize) -> [i64; 3
     })
 }
 
-/// Distances of the corners from a plane, divided as the corners are, and all times the largest power of two for which they have
-/// at most so many bits: they are much smaller than the corners near the far plane.
+/// Distances of the corners from a plane, divided as the corners are, and all times the largest power of two for which they
+/// have at most so many bits: they are much smaller than the corners near the far plane.
 fn depths(distances: [i64; 3], shifts: [u32; 3], bits: u32) -> [i64; 3] {
     let needed = distances
         .iter()

@@ -1,5 +1,5 @@
-//! `zrow::clip` in space: what is left of a segment is visible, the same by all that clip one, and nothing of it is cut again; what is
-//! visible of a face is kept.
+//! `zrow::clip` in space: what is left of a segment is visible, the same by all that clip one, and nothing of it is cut again;
+//! what is visible of a face is kept.
 
 use core::convert::Infallible;
 
