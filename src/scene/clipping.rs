@@ -78,6 +78,9 @@ impl<L: Look> Preparation<'_, L> {
             core::mem::swap(&mut polygon, &mut kept);
             sutherland_hodgman(polygon, side, kept);
         }
+        if !is_front(kept) {
+            return;
+        }
         let Some((apex, fan)) = kept.split_first() else { return };
         for pair in fan.windows(2).rev() {
             let [second, third] = pair else { continue };
@@ -138,6 +141,27 @@ fn eye_corners<L: Look>(
         let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
         vertices.map(|vertex| eye_corner::<L::Precision>(&transform, vertex))
     }
+}
+
+/// Whether a polygon on the screen is seen from the front: its corners run clockwise. Corners of cuts are rounded, so that the fragments
+/// of one that is seen from behind may be slivers that run clockwise.
+fn is_front<S: ScreenPrecision, A: Attributes>(polygon: &Polygon<S, A>) -> bool {
+    let Some((apex, others)) = polygon.split_first() else {
+        return false;
+    };
+    // Twice the area: differences below 2^24, and eight corners.
+    let from_apex = |corner: &PolygonCorner<S, A>| {
+        let ([x, y, _], [from_x, from_y, _]): ([S::Wide; 3], [S::Wide; 3]) = (corner.position, apex.position);
+        [x.into() - from_x.into(), y.into() - from_y.into()]
+    };
+    let mut area = 0;
+    for pair in others.windows(2) {
+        if let [one, other] = pair {
+            let ([x1, y1], [x2, y2]): ([i64; 2], [i64; 2]) = (from_apex(one), from_apex(other));
+            area += x1 * y2 - x2 * y1;
+        }
+    }
+    area > 0
 }
 
 /// Trivial rejection: whether all three corners are beyond the same clipping plane.

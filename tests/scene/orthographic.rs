@@ -370,3 +370,11 @@ fn whole_faces_are_inside_or_errors() {
     );
     assert!(camera.with_scale(I8F24::DELTA).is_ok() && camera.with_scale(I8F24::MAX).is_ok());
 }
+
+/// Of a face that is seen from behind, and whose edge the near plane cuts within a few units of its corner, the corners of the cut
+/// are rounded so that a sliver of it would be seen from the front.
+#[test]
+fn slivers_of_cut_faces_do_not_turn_round() {
+    check_all([[-15, -151, 1000], [22, -2, 123], [0, 0, 1003]], [[0]; 3]);
+    check_all([[-15, -153, 1000], [22, -2, 125], [-2, 103, 1778]], [[0]; 3]);
+}
