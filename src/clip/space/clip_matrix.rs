@@ -1,8 +1,8 @@
 //! The textbook's way from a model to the screen: one 4x4 matrix, homogeneous coordinates, a division at last.
 //!
 //! The matrix is the product P V M of projection, view and model (Roberts 1965, "Homogeneous Matrix Representation and
-//! Manipulation of N-Dimensional Constructs"; Foley, van Dam, Feiner and Hughes 1990, chapter 6). It takes a vertex (x, y, z,
-//! 1) to clip coordinates (x, y, z, w), in which the visible part of space is -w <= x <= w, -w <= y <= w, 0 <= z <= w:
+//! Manipulation of N-Dimensional Constructs"; Foley, van Dam, Feiner and Hughes 1990, chapter 6). It takes a vertex (x, y,
+//! z, 1) to clip coordinates (x, y, z, w), in which the visible part of space is -w <= x <= w, -w <= y <= w, 0 <= z <= w:
 //!
 //! ```text
 //!          2f/W   0    0      0           w is the distance from the eye along the direction of sight,
