@@ -22,9 +22,9 @@ use crate::{
 /// Texels of a side of a texture, and bytes of a row.
 const TEXELS: usize = 64;
 const BYTES: usize = TEXELS / 2;
-/// What the faces are covered with.
+/// The texture of ground and firs: 16 colours.
 type Sixteen = Indexed<Rgb565, BYTES, TEXELS, 16>;
-/// The look of the scene.
+/// The look of the flight: textures with holes, in fog.
 type Forest = Foggy<Textured<CutOut<Sixteen>>>;
 
 const COLUMNS: usize = 320;
@@ -46,11 +46,12 @@ const CELL: i16 = 512;
 const GROUND_VERTICES: usize = (CELLS + 1) * (CELLS + 1);
 const GROUND_FACES: usize = 2 * CELLS * CELLS;
 
-/// How far from the middle the camera flies, and how high.
+/// The radius of the circle around the clearing on which the camera flies.
 const RADIUS: i32 = 760;
+/// The height of the camera above the ground.
 const HEIGHT: I16F16 = I16F16::lit("150");
 
-/// Where the firs stand: x and z.
+/// The places of the firs on the ground, x and z of each.
 const PLACES: [[i16; 2]; 24] = [
     [-300, -220],
     [180, -420],

@@ -143,8 +143,8 @@ fn eye_corners<L: Look>(
     }
 }
 
-/// Whether a polygon on the screen is seen from the front: its corners run clockwise. Corners of cuts are rounded, so that the fragments
-/// of one that is seen from behind may be slivers that run clockwise.
+/// Whether a polygon on the screen is seen from the front: its corners run clockwise. Corners of cuts are rounded, so that the
+/// fragments of one that is seen from behind may be slivers that run clockwise.
 fn is_front<S: ScreenPrecision, A: Attributes>(polygon: &Polygon<S, A>) -> bool {
     let Some((apex, others)) = polygon.split_first() else {
         return false;

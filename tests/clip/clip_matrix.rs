@@ -146,8 +146,8 @@ fn pose(angles: [u16; 3], translation: [i32; 3]) -> Pose {
 proptest! {
     #![proptest_config(config(cases(2_000, 100_000)))]
 
-    /// Scenes as they are: a display, models of some hundred units in front of a camera that looks about. Positions are within one unit
-    /// of each other where the numbers of a scene are right to half a unit, which they are not near the eye.
+    /// Scenes as they are: a display, models of some hundred units in front of a camera that looks about. Positions are within
+    /// one unit of each other where the numbers of a scene are right to half a unit, which they are not near the eye.
     #[test]
     fn scenes_have_the_textbooks_positions(
         vertex in [-400i16..400, -400i16..400, -400i16..400],

@@ -371,8 +371,8 @@ fn whole_faces_are_inside_or_errors() {
     assert!(camera.with_scale(I8F24::DELTA).is_ok() && camera.with_scale(I8F24::MAX).is_ok());
 }
 
-/// Of a face that is seen from behind, and whose edge the near plane cuts within a few units of its corner, the corners of the cut
-/// are rounded so that a sliver of it would be seen from the front.
+/// Of a face that is seen from behind, and whose edge the near plane cuts within a few units of its corner, the corners of the
+/// cut are rounded so that a sliver of it would be seen from the front.
 #[test]
 fn slivers_of_cut_faces_do_not_turn_round() {
     check_all([[-15, -151, 1000], [22, -2, 123], [0, 0, 1003]], [[0]; 3]);

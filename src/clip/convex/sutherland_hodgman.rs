@@ -45,7 +45,8 @@ pub(crate) struct Plane {
     limit: i32,
     /// Whether what is below the limit is kept.
     below: bool,
-    /// Whether it cuts where depth varies evenly and not distance: on the screen, in perspective.
+    /// Whether the plane cuts projected corners of a picture in perspective, where depths vary evenly along an edge and
+    /// distances do not.
     is_in_perspective: bool,
 }
 

@@ -34,10 +34,10 @@ use crate::{
 /// The 4x4 matrix that takes the vertices of a model to clip coordinates, where the visible part of space is -w <= x <= w,
 /// -w <= y <= w and 0 <= z <= w.
 ///
-/// Numbers: 64-bit integers with a common number of fractional bits. It is 40, and fewer by the whole bits above 2 of 2f/W, 2f/H and
-/// twice the way from the viewport's middle to its centre over W and H, where f is the focal length and W and H are the size of the
-/// viewport: homogeneous coordinates mean the same at any scale. Elements are within four units of those of the exact product; they
-/// stay below 2^42, those of the translation below 2^59.
+/// Numbers: 64-bit integers with a common number of fractional bits. It is 40, and fewer by the whole bits above 2 of 2f/W,
+/// 2f/H and twice the way from the viewport's middle to its centre over W and H, where f is the focal length and W and H are
+/// the size of the viewport: homogeneous coordinates mean the same at any scale. Elements are within four units of those of the
+/// exact product; they stay below 2^42, those of the translation below 2^59.
 ///
 /// RAM: 128 bytes.
 ///
@@ -124,8 +124,9 @@ impl ClipMatrix {
 struct Scales {
     x: i64,
     y: i64,
-    /// What z adds to x and y where the camera does not look at the middle of its viewport.
+    /// What z in eye space adds to x in clip coordinates where a camera's centre is beside the middle of its viewport.
     centre_x: i64,
+    /// What z in eye space adds to y in clip coordinates where a camera's centre is above or below the middle of its viewport.
     centre_y: i64,
     depth: i64,
     one: i64,

@@ -26,9 +26,10 @@ impl ClipPlane {
         Self([a, b, c, -(a * x + b * y + c * z)])
     }
 
-    /// How far inside a vertex is, in some unit: 0 on the plane, negative outside. Exact.
+    /// How far a vertex is on the kept side of the plane, exactly, in units of the plane's own numbers: 0 on the plane,
+    /// negative on the other side.
     ///
-    /// Of elements below 2^43 and an offset below 2^60 it is below 2^61.
+    /// Where the plane's elements are below 2^43 and its offset below 2^60, the result is below 2^61.
     pub(super) fn distance(&self, vertex: [i16; 3]) -> i64 {
         let ([a, b, c, offset], [x, y, z]) = (self.0, vertex.map(i64::from));
         a * x + b * y + c * z + offset

@@ -15,8 +15,8 @@ use crate::clip::{
 };
 
 impl Segments {
-    /// What of the segment between two vertices lies in a closed convex volume, given by planes in the space of the vertices;
-    /// `None` where no point of it does. Without planes it is the whole segment.
+    /// The part of the segment between two vertices inside a closed convex volume, which planes in the space of the vertices
+    /// bound; `None` where no point of it does. Without planes it is the whole segment.
     ///
     /// Takes any vertices. Cost: six products of 64 bits a plane, and four for each one that is crossed. Source: Cyrus and Beck
     /// 1978.

@@ -24,7 +24,7 @@ use crate::clip::{
 };
 
 impl Segments {
-    /// What of the segment between two vertices a camera sees, by how far along it enters and leaves the six planes in
+    /// The part of the segment between two vertices that a camera sees, by how far along it enters and leaves the six planes in
     /// homogeneous clip coordinates; `None` where no point of it is visible. Right for vertices beside the eye and behind it.
     ///
     /// Takes any vertices. Cost: two products with the matrix, then for each plane that is crossed four products to compare

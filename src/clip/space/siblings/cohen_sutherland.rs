@@ -20,8 +20,8 @@ use crate::clip::{
 };
 
 impl Segments {
-    /// What of the segment between two vertices a camera sees, by outcodes of six bits in homogeneous clip coordinates; `None`
-    /// where no point of it is visible. Right for vertices beside the eye and behind it.
+    /// The part of the segment between two vertices that a camera sees, by outcodes of six bits in homogeneous clip
+    /// coordinates; `None` where no point of it is visible. Right for vertices beside the eye and behind it.
     ///
     /// The part is that of [`homogeneous_liang_barsky`](Self::homogeneous_liang_barsky).
     ///

@@ -14,9 +14,9 @@ use crate::clip::{
 };
 
 impl Segments {
-    /// What of the segment between two vertices a camera sees, by its six planes in the space of the vertices, which is eye
-    /// space where the matrix is the projection alone; `None` where no point of it is visible. Right for vertices beside the
-    /// eye and behind it.
+    /// The part of the segment between two vertices that a camera sees, by its six planes in the space of the vertices, which
+    /// is eye space where the matrix is the projection alone; `None` where no point of it is visible. Right for vertices beside
+    /// the eye and behind it.
     ///
     /// The part is that of [`homogeneous_liang_barsky`](Self::homogeneous_liang_barsky).
     ///
