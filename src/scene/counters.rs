@@ -70,41 +70,35 @@ impl Counting for Cell<Counters> {
 
 impl Count for &Cell<Counters> {
     fn filled(self, pixels: usize) {
-        self.add(|counters| {
+        add(self, |counters| {
             counters.spans_filled += u32::from(pixels > 0);
             counters.pixels_filled += pixels as u32;
         });
     }
 
     fn tested(self, pixels: usize) {
-        self.add(|counters| {
+        add(self, |counters| {
             counters.spans_tested += u32::from(pixels > 0);
             counters.pixels_tested += pixels as u32;
         });
     }
 
     fn fragment(self) {
-        self.add(|counters| counters.fragments += 1);
+        add(self, |counters| counters.fragments += 1);
     }
 
     fn divisions(self, number: u32) {
-        self.add(|counters| counters.divisions += number);
+        add(self, |counters| counters.divisions += number);
     }
 
     fn row(self) {
-        self.add(|counters| counters.rows += 1);
+        add(self, |counters| counters.rows += 1);
     }
 }
 
-/// Adds to counters in a cell.
-trait Add {
-    fn add(self, change: impl FnOnce(&mut Counters));
-}
-
-impl Add for &Cell<Counters> {
-    fn add(self, change: impl FnOnce(&mut Counters)) {
-        let mut counters = self.get();
-        change(&mut counters);
-        self.set(counters);
-    }
+/// Changes counters in their cell.
+fn add(cell: &Cell<Counters>, change: impl FnOnce(&mut Counters)) {
+    let mut counters = cell.get();
+    change(&mut counters);
+    cell.set(counters);
 }
