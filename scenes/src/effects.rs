@@ -6,7 +6,7 @@ use zrow::{
     scene::{Deep, Fine, Model, OnePass, Whole},
     shade::{
         Bilinear, Blinn, CutOut, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, LitTextured,
-        LitTexturedSkin, PointLight, Texels, Textured, TexturedSkin,
+        LitTexturedSkin, PointLight, Texels, Textured, TexturedSkin, Translucent,
     },
 };
 
@@ -170,15 +170,20 @@ pots! {
     };
     /// In a colour for each face, in fog.
     FoggyPot: "teapot-fog", "Utah teapot in fog", Foggy<Rgb565>, (TEAPOT_COLORS.as_slice(), FOG);
+    /// In a colour for each face, half of what is behind it seen through it.
+    TranslucentPot: "teapot-translucent", "Utah teapot, translucent", Translucent<Rgb565>, (TEAPOT_COLORS.as_slice(), 128);
     /// With everything at once.
     EverythingPot: "teapot-everything", "Utah teapot with every effect",
-        Foggy<LitTextured<Bilinear<CutOut<SixteenColors>>, Blinn<1, 1>>>, (
-            LitTexturedSkin {
-                image: PORCELAIN_INDEXED,
-                coordinates: &TEAPOT_COORDINATES,
-                normals: &TEAPOT_NORMALS,
-                lights: GLAZE_IN_LAMPLIGHT,
-            },
+        Foggy<Translucent<LitTextured<Bilinear<CutOut<SixteenColors>>, Blinn<1, 1>>>>, (
+            (
+                LitTexturedSkin {
+                    image: PORCELAIN_INDEXED,
+                    coordinates: &TEAPOT_COORDINATES,
+                    normals: &TEAPOT_NORMALS,
+                    lights: GLAZE_IN_LAMPLIGHT,
+                },
+                200,
+            ),
             FOG,
         );
 }
@@ -214,6 +219,7 @@ macro_rules! effects {
             lit_texture: "a texture under a light", $crate::teapots::TexturedPot, [$crate::effects::Plain];
             lit_bilinear: "a texture under a light, bilinear", $crate::effects::SmoothPot, [$crate::effects::Plain];
             fog: "fog", $crate::effects::FoggyPot, [$crate::effects::Plain];
+            translucent: "translucent faces", $crate::effects::TranslucentPot, [$crate::effects::Plain];
             everything: "everything at once", $crate::effects::EverythingPot, [$crate::effects::WithEverything];
         }
     };

@@ -24,6 +24,7 @@ pub mod meshes;
 pub mod oled;
 mod paint;
 pub mod paints;
+pub mod panes;
 mod picture_capacities;
 mod picture_memory;
 pub mod polygons;

@@ -36,6 +36,8 @@ pub struct Counters {
     pub pixels_tested: u32,
     /// Pixels whose colour was computed from attributes: for a texture, its texels.
     pub fragments: u32,
+    /// Pixels of translucent faces whose colour was mixed with what is behind them.
+    pub fragments_blended: u32,
     /// Divisions by a depth, for attributes in perspective.
     pub divisions: u32,
 }
@@ -85,6 +87,10 @@ impl Count for &Cell<Counters> {
 
     fn fragment(self) {
         add(self, |counters| counters.fragments += 1);
+    }
+
+    fn blended(self) {
+        add(self, |counters| counters.fragments_blended += 1);
     }
 
     fn divisions(self, number: u32) {

@@ -3,6 +3,8 @@
 
 use core::{cell::Cell, fmt};
 
+use embedded_graphics::geometry::Point;
+
 use crate::{
     band::Band,
     geometry::{Window, offset_from},
@@ -286,6 +288,21 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         attributes: &<AttributesOf<L> as Planes>::Values,
     ) -> Option<<L::Color as BandColor>::Word> {
         L::Shading::fragment(skin, face, attributes)
+    }
+
+    #[inline]
+    fn is_blended(skin: &Self::Skin) -> bool {
+        L::Shading::is_translucent(skin)
+    }
+
+    #[inline(always)]
+    fn blend(
+        skin: &Self::Skin,
+        fragment: <L::Color as BandColor>::Word,
+        behind: <L::Color as BandColor>::Word,
+        position: Point,
+    ) -> <L::Color as BandColor>::Word {
+        L::Shading::blend(skin, fragment, behind, position)
     }
 }
 

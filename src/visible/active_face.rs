@@ -21,8 +21,8 @@ enum ThirdSide {
     Right,
 }
 
-/// The row after the last one of a face, and the side of its third edge: in one integer, because the active faces take
-/// most of the memory of a scene.
+/// The row after the last one of a face, whether it is translucent, and the side of its third edge: in one integer, because the
+/// active faces take most of the memory of a scene.
 #[derive(Debug, Copy, Clone)]
 struct Bottom(i16);
 
@@ -32,12 +32,12 @@ impl Bottom {
     #[inline(always)]
     fn new(row: i32, side: ThirdSide) -> Self {
         // Rows of the domain are below 2^13 in size.
-        Self((row << 1) as i16 | side as i16)
+        Self((row << 2) as i16 | side as i16)
     }
 
     #[inline(always)]
     fn row(self) -> i32 {
-        i32::from(self.0) >> 1
+        i32::from(self.0) >> 2
     }
 
     #[inline(always)]
@@ -48,6 +48,8 @@ impl Bottom {
             ThirdSide::Right
         }
     }
+
+    const TRANSLUCENT: i16 = 1 << 1;
 }
 
 /// The word of a pixel with a shading.
@@ -258,7 +260,12 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     #[inline(always)]
     fn turn_at(&mut self, sides: &Sides) -> EdgeRows {
         let rows = EdgeRows::of::<S>(sides);
+        let is_translucent = self.is_translucent();
         self.bottom = Bottom::new(rows.bottom, rows.third_side);
+        if is_translucent {
+            // Edges are set up once more where a face is entered below its first row.
+            self.set_translucent(true);
+        }
         self.event_row = rows.middle as i16;
         rows
     }
@@ -280,6 +287,27 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             self.set_up_long_edges(sides, row);
         }
         true
+    }
+
+    /// The columns of the face's span in the current row.
+    #[inline]
+    pub(super) fn span(&self) -> [i32; 2] {
+        self.edges.columns()
+    }
+
+    /// Whether the face is mixed with what is behind it, once it is set up.
+    #[inline]
+    pub(super) fn is_translucent(&self) -> bool {
+        H::BLENDS && self.bottom.0 & Bottom::TRANSLUCENT != 0
+    }
+
+    /// Says of a face that is set up whether it is mixed with what is behind it.
+    #[inline]
+    pub(super) fn set_translucent(&mut self, is_translucent: bool) {
+        if H::BLENDS {
+            self.bottom.0 &= !Bottom::TRANSLUCENT;
+            self.bottom.0 |= if is_translucent { Bottom::TRANSLUCENT } else { 0 };
+        }
     }
 
     #[inline(always)]

@@ -110,7 +110,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         O: Order,
         D: DepthWidth,
     {
-        let may_be_disjoint = depth_use == DepthUse::WhereFacesMayOverlap && !H::Attributes::NEED_DEPTH;
+        let may_be_disjoint = depth_use == DepthUse::WhereFacesMayOverlap && !H::Attributes::NEED_DEPTH && !H::BLENDS;
         let follows = self.next_row == row.y && self.first_column == row.left;
         if !follows || (self.disjoint && !may_be_disjoint) {
             self.first_column = row.left;
@@ -142,6 +142,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         } else {
             self.draw_all_spans(faces, row);
         }
+        if H::BLENDS {
+            self.blend_row(faces, row);
+        }
     }
 
     /// Draws the spans of a row with depths, out of line: passes draw them too.
@@ -155,7 +158,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     }
 
     /// Draws the spans of a row with depths. Takes each face to the next row, and gives the slots of those free that have
-    /// ended.
+    /// ended; where faces may be translucent, [`blend_row`](Self::blend_row) does so after it has drawn those.
     #[inline(always)]
     fn draw_all_spans<O, D>(&mut self, faces: &impl FaceTable<S, D, H>, row: &mut DepthRow<'_, H::Color, O, D>)
     where
@@ -215,8 +218,10 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         while let [face, others @ ..] = active {
             // Counted where it is needed, from what is left: that is seldom.
             let index = || used - others.len() as u16 - 1;
-            let [start, end] = face.next_span();
-            let left_over = if H::Attributes::VARY {
+            let [start, end] = if H::BLENDS { face.span() } else { face.next_span() };
+            let left_over = if face.is_translucent() {
+                None
+            } else if H::Attributes::VARY {
                 if start < end {
                     shaded_row(faces, row).draw_span(face, [start, end])
                 } else {
@@ -233,7 +238,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 });
                 break;
             }
-            if !face.begin_row(next_row) {
+            if !H::BLENDS && !face.begin_row(next_row) {
                 face.set_next_free(free);
                 free = index();
             }
@@ -258,7 +263,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         };
         let order = faces.order(face.node);
         let y = row.y;
-        // The edges were taken to the next row already.
+        // The edges may have been taken to the next row already.
         let is_covered = |column: &i32| covers(faces, face.node, column + self.first_column, y);
         let last = (0..row.words.len() as i32).rev().find(is_covered);
         let end = last.map_or(0, |last| last + 1);
@@ -291,7 +296,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 }
             });
         }
-        if !face.begin_row_seldom(y + 1) {
+        if !H::BLENDS && !face.begin_row_seldom(y + 1) {
             face.set_next_free(self.free);
             self.free = tie.index;
         }
@@ -485,6 +490,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         if H::Attributes::VARY {
             set_up_attributes(face, faces, [a, b, c], surroundings);
         }
+        face.set_translucent(faces.is_translucent(node));
         Some(index)
     }
 

@@ -14,6 +14,10 @@ pub trait Count: Copy {
     #[inline(always)]
     fn fragment(self) {}
 
+    /// The colour of a pixel was mixed with the one behind it.
+    #[inline(always)]
+    fn blended(self) {}
+
     /// Attributes were divided by a depth.
     #[inline(always)]
     fn divisions(self, _number: u32) {}

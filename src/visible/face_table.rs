@@ -1,5 +1,7 @@
 //! The faces of a prepared frame as the row loop reads them: by their first row, each with its corners and its colour.
 
+use embedded_graphics::geometry::Point;
+
 use crate::{
     geometry::Window,
     shade::{Planes, Shading},
@@ -54,6 +56,14 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
         face: WordOf<H>,
         attributes: &<H::Attributes as Planes>::Values,
     ) -> Option<WordOf<H>>;
+    /// Whether the face of a node is mixed with what is behind it.
+    fn is_translucent(&self, node: u16) -> bool {
+        H::BLENDS && self.skin(node).is_some_and(Self::is_blended)
+    }
+    /// Whether the faces of a model are mixed with what is behind them ([`Shading::is_translucent`]).
+    fn is_blended(skin: &Self::Skin) -> bool;
+    /// The word of a pixel, mixed with the one behind it, both in the machine's byte order ([`Shading::blend`]).
+    fn blend(skin: &Self::Skin, fragment: WordOf<H>, behind: WordOf<H>, position: Point) -> WordOf<H>;
 }
 
 /// Sets up the parts of a face that are not small.

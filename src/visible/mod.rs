@@ -14,6 +14,7 @@ mod active_face;
 mod active_faces;
 mod at_depth;
 mod attribute_planes;
+mod blended_row;
 mod count;
 mod depth_plane;
 mod depth_row;

@@ -13,13 +13,14 @@
 
 use crate::{
     shade::{Planes, Shading},
-    view::{DepthWidth, ScreenPrecision},
+    view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{
         active_face::{ActiveFace, NOTHING, Surroundings},
         attribute_planes::set_up_attributes,
         edge::row_after,
-        face_table::{FaceTable, NONE, set_up_rest},
+        face_table::{FaceTable, NONE, corners_from_top, set_up_rest},
         shaded_span::is_seen,
+        sides::Sides,
     },
 };
 
@@ -89,8 +90,11 @@ impl Passes {
     ) -> Option<u16> {
         loop {
             let node = self.next_face(faces, row)?;
-            let ([a, b, c], _) = faces.face(node)?;
-            if row < row_after::<S>(a.y_units().max(b.y_units()).max(c.y_units())) {
+            // A face that is not drawn crosses no row.
+            let crosses = |[a, b, c]: [&ScreenVertex<S, D>; 3]| {
+                row < row_after::<S>(a.y_units().max(b.y_units()).max(c.y_units()))
+            };
+            if faces.face(node).is_some_and(|(corners, _)| crosses(corners)) {
                 return Some(node);
             }
         }
@@ -128,6 +132,48 @@ pub(super) fn surroundings<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     }
 }
 
+/// A face of the table that is in no slot, as it is in its first row.
+#[cold]
+#[inline(never)]
+pub(super) fn face_in_first_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    node: u16,
+    surroundings: &Surroundings<'_>,
+) -> Option<ActiveFace<S, H>> {
+    let ([a, b, c], word) = faces.face(node)?;
+    let mut face = ActiveFace::EMPTY;
+    (face.node, face.word) = (node, word);
+    let left_over = face.set_up_small(a, b, c, surroundings);
+    if left_over != NOTHING {
+        set_up_rest(&mut face, faces, left_over, surroundings);
+    }
+    if H::Attributes::VARY {
+        set_up_attributes(&mut face, faces, [a, b, c], surroundings);
+    }
+    face.set_translucent(faces.is_translucent(node));
+    Some(face)
+}
+
+/// Hands over the translucent faces of the table that cross a row, which begins at a column, as they are in it.
+pub(super) fn for_each_translucent<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    [first_column, row]: [i32; 2],
+    visit: &mut dyn FnMut(&ActiveFace<S, H>),
+) {
+    let surroundings = surroundings(faces, first_column);
+    let mut all = Passes::from_top(faces);
+    while let Some(node) = all.next_crossing(faces, row) {
+        let (true, Some(corners)) = (faces.is_translucent(node), corners_from_top(faces, node)) else {
+            continue;
+        };
+        if let Some(mut face) = face_in_first_row(faces, node, &surroundings) {
+            if face.enter(&Sides::of(corners, first_column), row) {
+                visit(&face);
+            }
+        }
+    }
+}
+
 /// Whether no other face of the table that has the same depth at a pixel which it covers comes before a face in the order of
 /// the models; the parts of one face come in the order of the table.
 #[cold]
@@ -144,22 +190,13 @@ pub(super) fn comes_first_of_all<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     let (mut all, mut is_behind) = (Passes::from_top(faces), false);
     while let Some(node) = all.next_crossing(faces, row) {
         is_behind |= node == face.node;
-        let comes_before = i32::from(faces.order(node)) < order + i32::from(!is_behind);
-        let (true, Some(([a, b, c], _))) = (comes_before, faces.face(node)) else {
+        if i32::from(faces.order(node)) >= order + i32::from(!is_behind) {
+            continue;
+        }
+        let Some(other) = face_in_first_row(faces, node, &surroundings).filter(|other| depth(other) == depth(face))
+        else {
             continue;
         };
-        let mut other = ActiveFace::EMPTY;
-        other.node = node;
-        let left_over = other.set_up_small(a, b, c, &surroundings);
-        if left_over != NOTHING {
-            set_up_rest(&mut other, faces, left_over, &surroundings);
-        }
-        if depth(&other) != depth(face) {
-            continue;
-        }
-        if H::Attributes::VARY {
-            set_up_attributes(&mut other, faces, [a, b, c], &surroundings);
-        }
         if is_seen(faces, &other, [column, row], first_column) {
             return false;
         }

@@ -10,8 +10,9 @@ use crate::{
     visible::{
         DepthRow,
         active_faces::ActiveList,
+        blended_row::blend_faces,
         face_table::{FaceTable, NONE},
-        passes::{Passes, surroundings},
+        passes::{Passes, for_each_translucent, surroundings},
     },
 };
 
@@ -48,6 +49,12 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         while is_left {
             self.draw_pass(faces, row);
             is_left = self.next_pass(faces, row.y);
+        }
+        if H::BLENDS && self.next_row == row.y + 1 {
+            self.blend_row(faces, row);
+        } else if H::BLENDS {
+            let (left, y) = (row.left, row.y);
+            blend_faces(faces, row, &|visit| for_each_translucent(faces, [left, y], visit));
         }
     }
 

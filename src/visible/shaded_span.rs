@@ -136,15 +136,28 @@ pub(super) fn word_at<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTabl
 ) -> Option<WordOf<H>> {
     let skin = faces.skin(face.node)?;
     let column = column - first_column;
-    let run = if F::IS_ORTHOGRAPHIC || H::Attributes::are_even(&face.attributes) {
-        H::Attributes::even_run(&face.attributes, column, span[1], row)
-    } else {
-        divided_run::<S, D, H>(face, span, [column, row], first_column, None)
-    };
+    let run = run::<S, D, H, F>(face, span, [column, row], first_column, None);
     F::fragment(skin, face.word, &run.values)
 }
 
-/// Whether a face covers a pixel of the picture, and is no hole there.
+/// The attributes of a face from a column of a span on.
+#[inline]
+pub(super) fn run<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+    face: &ActiveFace<S, H>,
+    span: [i32; 2],
+    at: [i32; 2],
+    first_column: i32,
+    known: Option<ValuesOf<H>>,
+) -> Run<ValuesOf<H>> {
+    let [column, row] = at;
+    if F::IS_ORTHOGRAPHIC || H::Attributes::are_even(&face.attributes) {
+        H::Attributes::even_run(&face.attributes, column, span[1], row)
+    } else {
+        divided_run::<S, D, H>(face, span, at, first_column, known)
+    }
+}
+
+/// Whether a face covers a pixel of the picture, is no hole there, and nothing is seen through it.
 #[cold]
 #[inline(never)]
 pub(super) fn is_seen<S: ScreenPrecision, D: DepthWidth, H: Shading>(
@@ -154,7 +167,7 @@ pub(super) fn is_seen<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     first_column: i32,
 ) -> bool {
     let is_covered = |column: &i32| covers(faces, face.node, column + first_column, row);
-    if !is_covered(&(column - first_column)) {
+    if face.is_translucent() || !is_covered(&(column - first_column)) {
         return false;
     }
     if !H::Attributes::VARY {

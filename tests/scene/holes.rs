@@ -16,18 +16,18 @@ use crate::reference::nearest_faces::Depth;
 use crate::shaded_scene::unit;
 use crate::snapped_faces::{camera, snapped};
 
-const WIDTH: usize = 48;
-const HEIGHT: usize = 40;
+pub const WIDTH: usize = 48;
+pub const HEIGHT: usize = 40;
 /// What nothing is drawn to.
-const UNTOUCHED: u32 = 0xff00_00ff;
+pub const UNTOUCHED: u32 = 0xff00_00ff;
 
 /// A pattern of holes.
-type Pattern = [[u8; 2]; 4];
-type Holed = Textured<CutOut<Indexed<Rgb888, 2, 4, 4>>>;
+pub type Pattern = [[u8; 2]; 4];
+pub type Holed = Textured<CutOut<Indexed<Rgb888, 2, 4, 4>>>;
 
 /// A shading that varies evenly on the screen, with stripes of holes.
 #[derive(Debug)]
-struct EvenHoles;
+pub struct EvenHoles;
 
 impl Shading for EvenHoles {
     type Color = Rgb888;
@@ -48,7 +48,7 @@ impl Shading for EvenHoles {
 }
 
 /// What is drawn in an area, in bands of some rows, the lower ones first where there are many.
-fn drawn<L: Look<Color = Rgb888>>(
+pub fn drawn<L: Look<Color = Rgb888>>(
     prepared: &mut Prepared<'_, '_, L>,
     whole: Rectangle,
     rows: u32,
@@ -70,7 +70,7 @@ fn drawn<L: Look<Color = Rgb888>>(
 }
 
 /// A model of each single face, in the order of models and faces.
-fn single(meshes: &[Mesh]) -> Vec<(usize, Mesh)> {
+pub fn single(meshes: &[Mesh]) -> Vec<(usize, Mesh)> {
     let each = |(index, mesh): (usize, &Mesh)| {
         let alone = |face: &[u16; 3]| (index, Mesh::new(mesh.vertices.clone(), vec![*face]));
         mesh.faces.iter().map(alone).collect::<Vec<_>>()
@@ -156,12 +156,12 @@ fn check<L: Look<Color = Rgb888>>(
 }
 
 /// Something that lives as long as the test.
-fn leak<T>(value: T) -> &'static T {
+pub fn leak<T>(value: T) -> &'static T {
     Box::leak(Box::new(value))
 }
 
 /// Skins of models: patterns, and coordinates of vertices.
-fn skins(
+pub fn skins(
     patterns: &[Pattern],
     coordinates: &[Vec<[i16; 2]>],
 ) -> Vec<TexturedSkin<'static, CutOut<Indexed<Rgb888, 2, 4, 4>>>> {
@@ -180,7 +180,7 @@ fn skins(
 }
 
 /// A mesh, and its faces in another order, in the same place.
-fn twice(mesh: &Mesh, slid: usize) -> [Mesh; 2] {
+pub fn twice(mesh: &Mesh, slid: usize) -> [Mesh; 2] {
     let mut faces = mesh.faces.clone();
     let count = faces.len();
     faces.rotate_left(slid % count);
@@ -197,7 +197,7 @@ fn check_all(meshes: &[Mesh; 2], patterns: [Pattern; 2], coordinates: &[Vec<[i16
     check::<Fine<EvenHoles>>(meshes, even, pose);
 }
 
-fn any_coordinates(count: usize) -> impl Strategy<Value = Vec<[i16; 2]>> {
+pub fn any_coordinates(count: usize) -> impl Strategy<Value = Vec<[i16; 2]>> {
     prop::collection::vec(prop::array::uniform2(-8_000i16..8_000), count)
 }
 

@@ -36,4 +36,5 @@ mod shading_looks;
 mod shading_perspective;
 mod shading_skins;
 mod textures;
+mod translucent;
 mod unclipped_faces;

@@ -19,6 +19,7 @@
 
 use core::{marker::PhantomData, num::NonZeroU64};
 
+use embedded_graphics::geometry::Point;
 use fixed::types::I16F16;
 
 use crate::{
@@ -217,6 +218,23 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
             fog.color.to_word(),
             factor,
         ))
+    }
+
+    const BLENDS: bool = H::BLENDS;
+
+    #[inline]
+    fn is_translucent((skin, _): &Self::Skin<'_>) -> bool {
+        H::is_translucent(skin)
+    }
+
+    #[inline(always)]
+    fn blend(
+        (skin, _): &Self::Skin<'_>,
+        fragment: <H::Color as BandColor>::Word,
+        behind: <H::Color as BandColor>::Word,
+        position: Point,
+    ) -> <H::Color as BandColor>::Word {
+        H::blend(skin, fragment, behind, position)
     }
 }
 

@@ -19,6 +19,7 @@ mod perspective;
 mod point_light;
 mod textured;
 mod transformed;
+mod translucent;
 
 pub use attributes::Attributes;
 pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
@@ -34,6 +35,9 @@ pub use perspective::Perspective;
 pub use point_light::PointLight;
 pub use textured::{Textured, TexturedSkin};
 pub use transformed::Transformed;
+pub use translucent::Translucent;
+
+use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
@@ -145,6 +149,29 @@ pub trait Shading: 'static {
         face: <Self::Color as BandColor>::Word,
         attributes: &<Self::Attributes as Planes>::Values,
     ) -> Option<<Self::Color as BandColor>::Word>;
+
+    /// Whether there may be models whose fragments are mixed with what is behind them, as [`Translucent`] ones are. Where there
+    /// are none, nothing is linked for it.
+    const BLENDS: bool = false;
+
+    /// Whether the faces of a model are mixed with what is behind them: they are drawn after all others, the farthest fragment of
+    /// a pixel first. Called when rows reach a face.
+    #[inline]
+    fn is_translucent(_skin: &Self::Skin<'_>) -> bool {
+        false
+    }
+
+    /// The word of a pixel of a [translucent](Self::is_translucent) face at a position in the picture, from that of its fragment and
+    /// from that behind it, all in the machine's byte order.
+    #[inline]
+    fn blend(
+        _skin: &Self::Skin<'_>,
+        fragment: <Self::Color as BandColor>::Word,
+        _behind: <Self::Color as BandColor>::Word,
+        _position: Point,
+    ) -> <Self::Color as BandColor>::Word {
+        fragment
+    }
 
     /// Whether models have an [affine map](Self::affine) before their poses, as [`Transformed`] ones do. Where they have none,
     /// nothing is linked for it.

@@ -4,6 +4,8 @@
 
 use core::marker::PhantomData;
 
+use embedded_graphics::geometry::Point;
+
 use crate::{
     geometry::TooSmall,
     mesh::FaceSet,
@@ -110,5 +112,22 @@ impl<H: Shading> Shading for Transformed<H> {
     #[inline]
     fn affine<'s>((_, affine): &'s Self::Skin<'_>) -> &'s Affine {
         affine
+    }
+
+    const BLENDS: bool = H::BLENDS;
+
+    #[inline]
+    fn is_translucent((skin, _): &Self::Skin<'_>) -> bool {
+        H::is_translucent(skin)
+    }
+
+    #[inline(always)]
+    fn blend(
+        (skin, _): &Self::Skin<'_>,
+        fragment: <H::Color as BandColor>::Word,
+        behind: <H::Color as BandColor>::Word,
+        position: Point,
+    ) -> <H::Color as BandColor>::Word {
+        H::blend(skin, fragment, behind, position)
     }
 }
