@@ -98,7 +98,7 @@ impl Scene for Panes {
     fn prepare(&mut self, frame: u32) -> Result<Self::Prepared<'_>, PrepareError> {
         // Each pane looks the same after half a turn.
         let steps = frame % FRAMES * (TURN / 2 / FRAMES);
-        let tilt = Rotation::about_x(angle(40));
+        let tilt = Rotation::about_x(angle(TURN - 36));
         let translation = [I16F16::ZERO, I16F16::ZERO, DISTANCE];
         let third = TURN / 2 / PANES as u32;
         let turns = (0..PANES as u32)

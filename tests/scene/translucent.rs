@@ -13,7 +13,7 @@ use zrow::{
     shade::{ChannelColor, Fog, Foggy, Shading, Transformed, Translucent},
 };
 
-use crate::common::meshes::Mesh;
+use crate::common::meshes::{Mesh, cube, torus};
 use crate::common::{cases, config};
 use crate::depth_row::{faces, pose};
 use crate::holes::{
@@ -22,7 +22,7 @@ use crate::holes::{
 use crate::numbered_scene::area;
 use crate::reference::nearest_faces::Depth;
 use crate::shaded_scene::unit;
-use crate::snapped_faces::{at, camera, snapped};
+use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
 type Many<L> = Memory<L, 400, 64, WIDTH, HEIGHT, 64>;
 type One<L> = Memory<L, 400, 64, WIDTH, HEIGHT, 1>;
@@ -295,6 +295,42 @@ fn twenty_layers_are_mixed_in_any_order() {
     let alphas: Vec<_> = (0..20).map(|layer| 40 + layer * 9).collect();
     let [layers, unsure] = check::<Rgb888, Translucent<Rgb888>>(&meshes, skin, &alphas, Pose::IDENTITY);
     assert!(layers > 300 && unsure == 0, "{layers}, {unsure}");
+}
+
+/// Rows that are wider than the columns whose layers are found together: narrow bands, which begin those elsewhere, have the same
+/// pixels.
+#[test]
+fn wide_rows_are_mixed_as_narrow_ones() {
+    let meshes = [torus(), cube(0.5)];
+    let whole = area(200, 64);
+    let models = [0, 1].map(|index| {
+        let colors = colors(1_200, index as u32 * 0x12_3457);
+        let pose = Pose::new(standard_pose(7).rotation, at(0, 0, 210));
+        Model::<Translucent<Rgb888>>::with_skin(meshes[index].face_set(), (colors, [140, 90][index]))
+            .unwrap()
+            .with_pose(pose)
+    });
+    let mut memory = Box::new(Memory::<Translucent<Rgb888>, 2_000, 700, 200, 64, 200>::new());
+    let camera = camera(whole);
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
+    let mut words = |window: Rectangle| {
+        let mut words = vec![UNTOUCHED; (window.size.width * window.size.height) as usize];
+        prepared.draw(&mut Band::<Rgb888>::new(window, &mut words).unwrap());
+        words
+    };
+    let picture = words(whole);
+    let seen = |word: &&u32| **word != UNTOUCHED;
+    let widest = picture.chunks(200).map(|row| row.iter().filter(seen).count()).max();
+    assert!(widest > Some(100), "{widest:?}");
+    for (left, width) in [(0, 31), (31, 64), (95, 65), (160, 40)] {
+        let part = words(Rectangle::new(Point::new(left, 0), Size::new(width, 64)));
+        let columns = left as usize..left as usize + width as usize;
+        let same = part
+            .chunks(width as usize)
+            .zip(picture.chunks(200))
+            .all(|(row, whole)| *row == whole[columns.clone()]);
+        assert!(same, "{width} columns from {left} on");
+    }
 }
 
 /// The picture of models in a look.

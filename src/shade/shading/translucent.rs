@@ -24,9 +24,9 @@ use crate::{
 /// as near as an opaque one is behind it. What is drawn with the depths of a row afterwards
 /// ([`draw_with`](crate::scene::Prepared::draw_with)) is hidden by translucent faces as by others.
 ///
-/// Cost: no row of such a look is drawn without depths. A pixel of a translucent face is visited three times, and twice more
-/// for each other translucent face in front of or behind it within 16 columns; mixing takes some 20 instructions. Memory: none,
-/// and up to 200 bytes of stack. Where faces are drawn in passes ([`rows_in_passes`](crate::scene::Prepared::rows_in_passes)),
+/// Cost: no row of such a look is drawn without depths. A pixel of a translucent face is visited twice, and twice more for each
+/// other translucent face in front of or behind it within 64 columns; mixing takes some 20 instructions. Memory: none, and up to
+/// 512 bytes of stack. Where faces are drawn in passes ([`rows_in_passes`](crate::scene::Prepared::rows_in_passes)),
 /// translucent ones are set up anew for each of those visits.
 ///
 /// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Translucent<Gouraud<Rgb565>>>`, within

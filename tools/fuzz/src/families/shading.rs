@@ -15,7 +15,7 @@ use zrow::{
     shade::{
         Bilinear, Blinn, ChannelColor, Clamped, CutOut, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud,
         GouraudSkin, Indexed, IndexedImage, Lambert, LitTextured, LitTexturedSkin, PointLight, Shading, Texels,
-        Textured, TexturedSkin,
+        Textured, TexturedSkin, Translucent,
     },
 };
 
@@ -91,6 +91,7 @@ struct Tables<C: BandColor> {
     sharpness: u8,
     fog: [I16F16; 2],
     curve: [u8; 64],
+    alpha: u8,
     pose: Pose,
 }
 
@@ -169,6 +170,10 @@ impl AnyModel {
             sharpness: self.texels[0] as u8 % 12,
             fog: [self.lights[2].0[0], self.lights[2].0[1]].map(|distance| I16F16::from_bits(distance.0)),
             curve: core::array::from_fn(|step| (self.texels[step % 5] >> (step / 3)) as u8 & 63),
+            alpha: match self.texels[1] as u8 {
+                opaque @ 192.. => opaque | 63,
+                alpha => alpha,
+            },
             pose: self.pose.get(1_200),
         }
     }
@@ -305,6 +310,13 @@ impl<H: AnyShading<Color: ChannelColor>> AnyShading for Foggy<H> {
     }
 }
 
+/// One model in four is opaque.
+impl<H: AnyShading<Color: ChannelColor>> AnyShading for Translucent<H> {
+    fn skin(tables: &Tables<H::Color>) -> Self::Skin<'_> {
+        (H::skin(tables), tables.alpha)
+    }
+}
+
 /// Scenes in a shading: the same picture however it is cut into bands, and however many slots there are.
 #[derive(Debug, Arbitrary)]
 pub struct ShadingCase {
@@ -330,6 +342,9 @@ enum Method {
     FoggyFlat,
     FoggyGouraud,
     FoggyHoles,
+    TranslucentFlat,
+    TranslucentHoles,
+    FoggyGlass,
 }
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
@@ -564,6 +579,13 @@ impl Case for ShadingCase {
             }
             (Method::FoggyGouraud, _) => self.check_kind::<Foggy<Gouraud<Rgb565>>>(),
             (Method::FoggyHoles, _) => self.check_kind::<Foggy<Textured<CutOut<Indexed<Rgb565, 2, 4, 4>>>>>(),
+            (Method::TranslucentFlat, Kind::FineBinary) => self.check_kind::<Fine<Translucent<FlatLit<BinaryColor>>>>(),
+            (Method::TranslucentFlat, Kind::DeepGray8) => self.check_kind::<Deep<Translucent<FlatLit<Gray8>>>>(),
+            (Method::TranslucentFlat, _) => self.check_kind::<Translucent<FlatLit<Rgb565>>>(),
+            (Method::TranslucentHoles, _) => {
+                self.check_kind::<Translucent<Textured<CutOut<Indexed<Rgb565, 2, 4, 4>>>>>()
+            }
+            (Method::FoggyGlass, _) => self.check_kind::<Fine<Deep<Foggy<Translucent<Gouraud<Rgb565>>>>>>(),
         }
     }
 }

@@ -14,7 +14,7 @@ use zrow::{
     },
     shade::{
         Bilinear, Blinn, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading, Texels,
-        Textured, Transformed,
+        Textured, Transformed, Translucent,
     },
 };
 use zrow_methods::LookOf;
@@ -45,6 +45,9 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<LitTextured<Bilinear<Clamped<Texels<Rgb565, 64, 64>>>, Blinn<1, 1>>>,
     shaded::<Foggy<Rgb565>>,
     shaded::<Foggy<Gouraud<Rgb565, Lambert<1, 1>>>>,
+    shaded::<Translucent<Rgb565>>,
+    shaded::<Foggy<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>>,
+    look::<Whole<Deep<Translucent<Gouraud<Gray4>>>>>,
     shaded::<EvenStripes>,
     shaded::<Stripes>,
     shaded::<Transformed<Gouraud<Rgb565>>>,

@@ -11,6 +11,7 @@ use zrow::{
         FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting, LinearGradient,
         LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, PointLight, RadialGradient, Ramp, ReflectedLight,
         SampleFilter, SampleTarget, Sampler, Shading, Texels, Texture, Textured, TexturedSkin, Transformed,
+        Translucent,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
@@ -78,6 +79,8 @@ pub const EXERCISES: &[fn()] = &[
     shading::<Foggy<Rgb565>>,
     shading::<Foggy<Gouraud<Rgb888, Blinn<1>>>>,
     shading::<Foggy<LitTextured<Bilinear<Texels<Rgb565, 64, 64>>>>>,
+    shading::<Translucent<Rgb565>>,
+    shading::<Translucent<Transformed<Gouraud<BinaryColor>>>>,
     shading::<Stripes>,
     shading::<Transformed<Rgb565>>,
     shading::<Transformed<FlatLit<Rgb888, Lambert<4>>>>,
