@@ -1,6 +1,6 @@
 //! Triangles that share vertices.
 
-use crate::geometry::InputError;
+use crate::{geometry::InputError, mesh::BoundingBox};
 
 /// Vertices, and faces that name three of them each.
 ///
@@ -73,6 +73,12 @@ impl<'a> FaceSet<'a> {
     /// The vertices: x, y, z.
     pub const fn vertices(&self) -> &'a [[i16; 3]] {
         self.vertices
+    }
+
+    /// The smallest box around the vertices, for models that are left out where nothing of them is seen
+    /// ([`Bounded`](crate::shade::Bounded)). Best in a `const`. Cost: six comparisons a vertex.
+    pub const fn bounds(&self) -> BoundingBox {
+        BoundingBox::around(self.vertices)
     }
 
     /// The faces: three indices of the vertices.

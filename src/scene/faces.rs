@@ -6,6 +6,7 @@ use crate::{
     geometry::SubPoint,
     scene::{
         Look, Model,
+        culling::is_left_out,
         frame::{FRAGMENT_VERTICES, corners},
         model::outward,
         off_screen::is_outside,
@@ -69,6 +70,9 @@ fn whole<'t, 'm, L: Look>(
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
+        if is_left_out::<L>(vertices, first_vertex) {
+            return None;
+        }
         let corners = corners(vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
         let corners = outward::<L::Shading, _>(model.skin(), corners);
         if L::CLIPS && corners.into_iter().any(is_outside) {

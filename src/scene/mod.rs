@@ -40,6 +40,7 @@
 
 mod clipping;
 mod counters;
+mod culling;
 mod faces;
 mod frame;
 mod lens;
@@ -55,7 +56,7 @@ mod prepared_faces;
 mod scene_item;
 
 pub use crate::{
-    mesh::FaceSet,
+    mesh::{BoundingBox, FaceSet},
     view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 pub use counters::Counters;

@@ -7,6 +7,7 @@ use crate::{
     geometry::InputError,
     scene::{
         Counters, Frame, Look, Model,
+        culling::faces_left_out,
         faces::{self, ScreenFace},
         frame::ActiveListOf,
         prepared_faces::PreparedFaces,
@@ -132,6 +133,7 @@ impl<L: Look<Counting = Cell<Counters>>> Prepared<'_, '_, L> {
         Counters {
             faces,
             faces_culled: faces - whole - cut,
+            faces_culled_by_bounds: faces_left_out::<L>(self.faces.vertices, self.faces.models),
             faces_cut: cut,
             rows_without_depth: self.rows_without_depth(),
             rows_in_passes: self.rows_in_passes(),

@@ -32,8 +32,8 @@ pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp};
 pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
 pub use shading::{
-    Attributes, Blinn, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Lambert, Lighting,
-    LitTextured, LitTexturedSkin, Perspective, PointLight, ReflectedLight, Shading, Textured, TexturedSkin,
+    Attributes, Blinn, Bounded, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Lambert,
+    Lighting, LitTextured, LitTexturedSkin, Perspective, PointLight, ReflectedLight, Shading, Textured, TexturedSkin,
     Transformed,
 };
 pub(crate) use shading::{Flat, PlaneSource, Planes, Run, Shade, SpanPosition};

@@ -10,6 +10,7 @@ mod reference {
 mod snapped_faces;
 
 mod affine_maps;
+mod bounds;
 mod cameras;
 mod clipped_faces;
 mod counters;

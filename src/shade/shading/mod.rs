@@ -7,6 +7,7 @@
 
 mod attributes;
 mod blinn;
+mod bounded;
 mod flat;
 
 mod flat_lit;
@@ -23,6 +24,7 @@ mod transformed;
 pub use attributes::Attributes;
 pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
 pub use blinn::Blinn;
+pub use bounded::Bounded;
 pub(crate) use flat::Flat;
 pub use flat_lit::{FlatLit, FlatLitSkin};
 pub use foggy::{Fog, Foggy};
@@ -37,7 +39,7 @@ pub use transformed::Transformed;
 
 use crate::{
     geometry::TooSmall,
-    mesh::FaceSet,
+    mesh::{BoundingBox, FaceSet},
     surface::{BandColor, PixelWord},
     view::{Affine, Camera, Pose},
 };
@@ -180,6 +182,15 @@ pub trait Shading: 'static {
         face: usize,
     ) -> Option<<Self::Color as BandColor>::Word> {
         Self::face(skin, uniforms, mesh, face)
+    }
+
+    /// Whether models have [bounds](Self::bounds), as [`Bounded`] ones do. Where they have none, nothing is linked for it.
+    const HAS_BOUNDS: bool = false;
+
+    /// The box around the vertices of a model, before any map. Called a few times a model and frame.
+    #[inline]
+    fn bounds<'s>(_: &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+        None
     }
 }
 

@@ -6,7 +6,7 @@ use core::marker::PhantomData;
 
 use crate::{
     geometry::TooSmall,
-    mesh::FaceSet,
+    mesh::{BoundingBox, FaceSet},
     shade::{Planes, Shading},
     surface::BandColor,
     view::{Affine, Camera, Pose},
@@ -110,5 +110,12 @@ impl<H: Shading> Shading for Transformed<H> {
     #[inline]
     fn affine<'s>((_, affine): &'s Self::Skin<'_>) -> &'s Affine {
         affine
+    }
+
+    const HAS_BOUNDS: bool = H::HAS_BOUNDS;
+
+    #[inline]
+    fn bounds<'s>((skin, _): &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+        H::bounds(skin)
     }
 }

@@ -7,10 +7,11 @@ use zrow::{
     geometry::TooSmall,
     scene::{Camera, FaceSet, Pose},
     shade::{
-        Attributes, Bilinear, BlendTarget, Blinn, ChannelColor, Clamped, ConeFilter, CutOut, DirectionalLight, FlatLit,
-        FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting, LinearGradient,
-        LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, PointLight, RadialGradient, Ramp, ReflectedLight,
-        SampleFilter, SampleTarget, Sampler, Shading, Texels, Texture, Textured, TexturedSkin, Transformed,
+        Attributes, Bilinear, BlendTarget, Blinn, Bounded, ChannelColor, Clamped, ConeFilter, CutOut, DirectionalLight,
+        FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting,
+        LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, PointLight, RadialGradient, Ramp,
+        ReflectedLight, SampleFilter, SampleTarget, Sampler, Shading, Texels, Texture, Textured, TexturedSkin,
+        Transformed,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
@@ -84,6 +85,8 @@ pub const EXERCISES: &[fn()] = &[
     shading::<Transformed<Gouraud<Rgb565>>>,
     shading::<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>,
     shading::<Transformed<Stripes>>,
+    shading::<Bounded<Rgb565>>,
+    shading::<Bounded<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>,
     attributes::<([i16; 2], Perspective<1>)>,
     lighting::<Lambert<0>>,
     lighting::<Lambert<2, 2>>,
@@ -228,7 +231,8 @@ fn shading<H: Shading>() {
     keep(<H as Shading>::affine(any()));
     keep(<H as Shading>::transformed_vertex(any(), any(), any(), any(), any()));
     keep(<H as Shading>::transformed_face(any(), any(), any(), any(), any()));
-    keep((H::TOLERANCE, H::HAS_AFFINE_MAP));
+    keep(<H as Shading>::bounds(any()));
+    keep((H::TOLERANCE, H::HAS_AFFINE_MAP, H::HAS_BOUNDS));
 }
 
 #[inline(never)]
