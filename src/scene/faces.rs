@@ -10,6 +10,7 @@ use crate::{
         frame::{FRAGMENT_VERTICES, corners},
         model::outward,
         off_screen::is_outside,
+        preparation::clockwise,
     },
     shade::Shading,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
@@ -32,7 +33,8 @@ pub struct ScreenFace<S: ScreenPrecision, D> {
     /// Index of the face in the order of models and faces: of two fragments with the same depth, the lower one is
     /// drawn.
     pub order: usize,
-    /// Corners in the order of the mesh; the second and the third exchanged where a map mirrors the model.
+    /// Corners in the order of the mesh; the second and the third exchanged where a map mirrors the model, and once more where
+    /// the face's back is drawn.
     pub corners: [Corner<S, D>; 3],
 }
 
@@ -78,6 +80,7 @@ fn whole<'t, 'm, L: Look>(
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }
+        let corners = clockwise::<L, _>(corners, corners);
         ScreenFace::new(order, &corners.map(|corner| *corner))
     })
 }

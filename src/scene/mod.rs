@@ -61,7 +61,7 @@ pub use crate::{
 };
 pub use counters::Counters;
 pub use frame::Frame;
-pub use look::{Counted, Deep, Fine, Look, OnePass, Orthographic, Unhurried, Whole};
+pub use look::{Counted, Deep, DoubleSided, Fine, Look, OnePass, Orthographic, Unhurried, Whole};
 pub use memory::Memory;
 pub use model::Model;
 pub use prepared::Prepared;

@@ -10,7 +10,7 @@ use crate::{
         frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
         lens::{ProjectionOf, ScreenVertexOf, has_far_plane, on_screen, projection},
         off_screen::{mark_behind_far_plane, off_screen},
-        preparation::{Preparation, begin, visible_rows},
+        preparation::{Preparation, begin, rows_of_face},
     },
     shade::{Planes, Shading},
     view::{AffineEyeTransform, Camera, EyePoint, EyeTransform, ScreenPrecision, ToEye, ViewVolume},
@@ -210,7 +210,7 @@ impl<L: Look> Tables<'_, L> {
         for (index, (face, next)) in mesh.faces().iter().zip(next).enumerate().rev() {
             let visible = |[a, b, c]: Corners<'_, L>| {
                 let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
-                visible_rows(corners, viewport)
+                rows_of_face::<L>(corners, viewport)
             };
             if let Some(rows) = corners(vertices, face).and_then(visible) {
                 *next = begin(self.rows, (first_face + index) as u16, rows);

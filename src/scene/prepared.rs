@@ -97,7 +97,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// A face has an `order`, its index in the order of models and faces (of two fragments with the same depth, the
     /// lower one is drawn), and three `corners` in the order of the mesh (the second and the third exchanged where a map
-    /// mirrors the model), each with the `point` that it was snapped to and its `depth` as stored: nearer is larger.
+    /// mirrors the model, and once more where its back is [drawn](crate::scene::DoubleSided)), each with the `point` that it was snapped to and its `depth` as stored: nearer is larger.
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
         faces::all::<L>(self.faces.vertices, self.faces.models, self.fragments.clone())
     }

@@ -34,7 +34,7 @@ pub(crate) use samples::{SampleSum, SampleWeights};
 pub use shading::{
     Attributes, Blinn, Bounded, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Lambert,
     Lighting, LitTextured, LitTexturedSkin, Perspective, PointLight, ReflectedLight, Shading, Textured, TexturedSkin,
-    Transformed,
+    Transformed, TwoSided,
 };
 pub(crate) use shading::{Flat, PlaneSource, Planes, Run, Shade, SpanPosition};
 pub(crate) use span_blender::SpanBlender;

@@ -15,6 +15,7 @@ mod cameras;
 mod clipped_faces;
 mod counters;
 mod depth_row;
+mod double_sided;
 mod fog;
 mod holes;
 mod lighting;

@@ -20,6 +20,7 @@ mod perspective;
 mod point_light;
 mod textured;
 mod transformed;
+mod two_sided;
 
 pub use attributes::Attributes;
 pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
@@ -36,6 +37,7 @@ pub use perspective::Perspective;
 pub use point_light::PointLight;
 pub use textured::{Textured, TexturedSkin};
 pub use transformed::Transformed;
+pub use two_sided::TwoSided;
 
 use crate::{
     geometry::TooSmall,

@@ -9,12 +9,12 @@ use zrow::{
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{
-        BoundingBox, Counted, Counters, Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass,
-        Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
+        BoundingBox, Counted, Counters, Deep, DepthWidth, DoubleSided, FaceSet, Fine, Frame, Look, Memory, Model,
+        OnePass, Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
     shade::{
         Bilinear, Blinn, Bounded, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading,
-        Texels, Textured, Transformed,
+        Texels, Textured, Transformed, TwoSided,
     },
 };
 use zrow_methods::LookOf;
@@ -55,6 +55,9 @@ pub const EXERCISES: &[fn()] = &[
     look::<Whole<Fine<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>>,
     look::<Deep<Transformed<FlatLit<Gray4>>>>,
     look::<Orthographic<Rgb565>>,
+    look::<DoubleSided<Rgb565>>,
+    look::<DoubleSided<LitTextured<Texels<Rgb565, 64, 64>>>>,
+    look::<Whole<Fine<DoubleSided<Transformed<FlatLit<Gray4, TwoSided<Lambert<1>>>>>>>>,
     look::<Counted<Rgb565>>,
     look::<Unhurried<Counted<LitTextured<Texels<Rgb565, 64, 64>>>>>,
     counted,

@@ -11,7 +11,7 @@ use zrow::{
         FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting,
         LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, PointLight, RadialGradient, Ramp,
         ReflectedLight, SampleFilter, SampleTarget, Sampler, Shading, Texels, Texture, Textured, TexturedSkin,
-        Transformed,
+        Transformed, TwoSided,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
@@ -91,6 +91,8 @@ pub const EXERCISES: &[fn()] = &[
     lighting::<Lambert<0>>,
     lighting::<Lambert<2, 2>>,
     lighting::<Blinn<2, 2>>,
+    lighting::<TwoSided<Lambert<2, 2>>>,
+    lighting::<TwoSided<Blinn<1>>>,
     texture::<Texels<Gray8, 1, 4096>>,
     texture::<Texels<Rgb565, 64, 64>>,
     texture::<Indexed<Rgb565, 1, 1, 2>>,
@@ -210,6 +212,7 @@ fn lights() {
 #[inline(never)]
 fn skins() {
     eq::<FlatLitSkin<'_, Rgb565>>();
+    eq::<TwoSided<Lambert<1>>>();
     eq::<GouraudSkin<'_, Rgb565>>();
     clone::<TexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
     clone::<LitTexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
