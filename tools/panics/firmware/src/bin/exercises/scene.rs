@@ -151,6 +151,7 @@ fn picture_item<C: BandColor, O: Order, T: PictureItem<C, O> + 'static>() {
 fn model() {
     keep(FaceSet::vertices_of(any()));
     keep(FaceSet::bounds(any()));
+    keep(FaceSet::morphed(any(), any(), any(), any()));
     keep(BoundingBox::around(any()));
     keep(BoundingBox::joined(any(), any()));
     eq::<BoundingBox>();
