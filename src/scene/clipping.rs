@@ -8,7 +8,7 @@ use crate::{
         frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
         lens::has_far_plane,
         off_screen::{eye_corner, guard_band, is_outside, project_corner},
-        preparation::{Preparation, begin, visible_rows},
+        preparation::{Preparation, begin, rows_of_face, visible_rows},
     },
     shade::{Attributes, Shading},
     view::{AffineEyeTransform, Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
@@ -37,8 +37,13 @@ impl<L: Look> Preparation<'_, L> {
             if [a, b, c].into_iter().any(is_outside) {
                 if !all_outside_alike([a, b, c]) {
                     self.cut_face(camera, model, face, (first_vertex, node as u16));
+                    if L::DRAWS_BACKS {
+                        // The other way round: of both polygons at most one is seen.
+                        let [a, b, c] = *face;
+                        self.cut_face(camera, model, &[a, c, b], (first_vertex, node as u16));
+                    }
                 }
-            } else if let Some(rows) = visible_rows([a, b, c], &self.viewport) {
+            } else if let Some(rows) = rows_of_face::<L>([a, b, c], &self.viewport) {
                 if let Some(next) = self.tables.next.get_mut(node) {
                     *next = begin(self.tables.rows, node as u16, rows);
                 }

@@ -18,6 +18,8 @@ pub struct Counters {
     pub faces: u32,
     /// Faces that are left out: seen from behind, beyond a side of the picture, or between the centres of pixels.
     pub faces_culled: u32,
+    /// Of these, faces of models that were left out as a whole ([`Bounded`](crate::shade::Bounded)).
+    pub faces_culled_by_bounds: u32,
     /// Faces that were cut at the near plane or the guard band.
     pub faces_cut: u32,
     /// Rows that were drawn.

@@ -6,9 +6,11 @@ use crate::{
     geometry::SubPoint,
     scene::{
         Look, Model,
+        culling::is_left_out,
         frame::{FRAGMENT_VERTICES, corners},
         model::outward,
         off_screen::is_outside,
+        preparation::clockwise,
     },
     shade::Shading,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
@@ -31,7 +33,8 @@ pub struct ScreenFace<S: ScreenPrecision, D> {
     /// Index of the face in the order of models and faces: of two fragments with the same depth, the lower one is
     /// drawn.
     pub order: usize,
-    /// Corners in the order of the mesh; the second and the third exchanged where a map mirrors the model.
+    /// Corners in the order of the mesh; the second and the third exchanged where a map mirrors the model, and once more where
+    /// the face's back is drawn.
     pub corners: [Corner<S, D>; 3],
 }
 
@@ -69,11 +72,15 @@ fn whole<'t, 'm, L: Look>(
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
         let (model, first_vertex, face) = find(models, order as u16)?;
+        if is_left_out::<L>(vertices, first_vertex) {
+            return None;
+        }
         let corners = corners(vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
         let corners = outward::<L::Shading, _>(model.skin(), corners);
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }
+        let corners = clockwise::<L, _>(corners, corners);
         ScreenFace::new(order, &corners.map(|corner| *corner))
     })
 }

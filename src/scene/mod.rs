@@ -40,6 +40,7 @@
 
 mod clipping;
 mod counters;
+mod culling;
 mod faces;
 mod frame;
 mod lens;
@@ -55,12 +56,12 @@ mod prepared_faces;
 mod scene_item;
 
 pub use crate::{
-    mesh::FaceSet,
+    mesh::{BoundingBox, FaceSet},
     view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 pub use counters::Counters;
 pub use frame::Frame;
-pub use look::{Counted, Deep, Fine, Look, OnePass, Orthographic, Unhurried, Whole};
+pub use look::{Counted, Deep, DoubleSided, Fine, Look, OnePass, Orthographic, Unhurried, Whole};
 pub use memory::Memory;
 pub use model::Model;
 pub use prepared::Prepared;

@@ -5,7 +5,7 @@ use crate::{
     scene::{
         Look,
         frame::{RowStart, Tables},
-        lens::ProjectionOf,
+        lens::{ProjectionOf, ScreenVertexOf},
     },
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
     visible::NONE,
@@ -55,6 +55,28 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
     let left = (one.min(other).min(from(viewport.left, c.x)) >> S::FRACTION_BITS).max(0);
     let right = one.max(other).max(from(viewport.left, c.x)).min(width) >> S::FRACTION_BITS;
     (left < right).then_some((top as usize, bottom as usize))
+}
+
+/// The rows of the viewport in which a face of a look may cover pixels, as [`visible_rows`] has them: one that is seen from
+/// behind where backs are drawn, too.
+#[inline]
+pub(super) fn rows_of_face<L: Look>(corners: [&ScreenVertexOf<L>; 3], viewport: &Window) -> Option<(usize, usize)> {
+    let [a, b, c] = corners;
+    match visible_rows(corners, viewport) {
+        None if L::DRAWS_BACKS => visible_rows([a, c, b], viewport),
+        rows => rows,
+    }
+}
+
+/// The corners of a face of a look, or what belongs to each of them, as rows are to see them: clockwise, where it is drawn.
+#[inline]
+pub(super) fn clockwise<L: Look, T>(corners: [&ScreenVertexOf<L>; 3], [a, b, c]: [T; 3]) -> [T; 3] {
+    let [first, second, third] = corners.map(ScreenVertex::position);
+    if L::DRAWS_BACKS && is_front::<L::Precision>(first, third, second) {
+        [a, c, b]
+    } else {
+        [a, b, c]
+    }
 }
 
 /// Makes a node the head of the bucket of its first row, and returns the previous head. `rows` are the first row and

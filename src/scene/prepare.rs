@@ -6,13 +6,14 @@ use crate::{
     geometry::{InputError, TooSmall, Window, pixel_domain},
     scene::{
         Frame, Look, Model, Prepared,
+        culling::{is_beyond, is_left_out, leave_out, view_volume},
         frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
         lens::{ProjectionOf, ScreenVertexOf, has_far_plane, on_screen, projection},
         off_screen::{mark_behind_far_plane, off_screen},
-        preparation::{Preparation, begin, visible_rows},
+        preparation::{Preparation, begin, rows_of_face},
     },
     shade::{Planes, Shading},
-    view::{AffineEyeTransform, Camera, EyePoint, EyeTransform, ScreenPrecision, ToEye},
+    view::{AffineEyeTransform, Camera, EyePoint, EyeTransform, ScreenPrecision, ToEye, ViewVolume},
 };
 
 /// The clipping boundary beyond which an off-screen vertex lies.
@@ -126,18 +127,22 @@ impl<L: Look> Preparation<'_, L> {
         let mut slots = &mut *tables.vertices;
         let mut attributes = &mut *tables.attributes;
         let mut all_inside = true;
+        let volume = L::Shading::HAS_BOUNDS.then(|| view_volume::<L>(projection, camera));
         for (index, model) in models.iter().enumerate() {
             let vertices = model.mesh().vertices();
             // The capacity was checked: there is room for all vertices.
             let Some((slots_of_model, rest)) = slots.split_at_mut_checked(vertices.len()) else {
                 break;
             };
+            let is_unseen;
             let transformed = if L::Shading::HAS_AFFINE_MAP {
                 let transform = affine_transform(model, camera).ok_or(InputError::ModelOutOfDomain { model: index })?;
-                put_on_screen::<L>(projection, &transform, vertices, slots_of_model)
+                is_unseen = is_beyond_bounds(volume.as_ref(), &transform, model, |ends| transform.fits(ends));
+                put_on_screen::<L>(projection, &transform, vertices, slots_of_model, is_unseen)
             } else {
                 let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
-                put_on_screen::<L>(projection, &transform, vertices, slots_of_model)
+                is_unseen = is_beyond_bounds(volume.as_ref(), &transform, model, |_| true);
+                put_on_screen::<L>(projection, &transform, vertices, slots_of_model, is_unseen)
             };
             all_inside &= transformed.map_err(|beyond| beyond.error(index))?;
             slots = rest;
@@ -145,7 +150,9 @@ impl<L: Look> Preparation<'_, L> {
                 let Some((attributes_of_model, rest)) = attributes.split_at_mut_checked(vertices.len()) else {
                     break;
                 };
-                shade_vertices(model, camera, attributes_of_model);
+                if !is_unseen {
+                    shade_vertices(model, camera, attributes_of_model);
+                }
                 attributes = rest;
             }
         }
@@ -168,6 +175,9 @@ impl<L: Look> Preparation<'_, L> {
             // No underflow: both numbers began as the sums of these lengths.
             first_vertex -= mesh.vertices().len();
             first_face -= mesh.faces().len();
+            if is_left_out::<L>(self.tables.vertices, first_vertex) {
+                continue;
+            }
             if L::CLIPS && cut {
                 self.sort_faces_to_cut(camera, model, first_vertex, first_face);
             } else {
@@ -200,7 +210,7 @@ impl<L: Look> Tables<'_, L> {
         for (index, (face, next)) in mesh.faces().iter().zip(next).enumerate().rev() {
             let visible = |[a, b, c]: Corners<'_, L>| {
                 let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
-                visible_rows(corners, viewport)
+                rows_of_face::<L>(corners, viewport)
             };
             if let Some(rows) = corners(vertices, face).and_then(visible) {
                 *next = begin(self.rows, (first_face + index) as u16, rows);
@@ -215,15 +225,35 @@ pub(super) fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera
         .filter(|transform| transform.fits(model.mesh().vertices()))
 }
 
-/// Transforms the vertices of a model. Returns whether all are on the screen and in front of the far plane; where no face is
-/// cut, one that is not on the screen is an error.
+/// Whether nothing of a model is seen: it has bounds, which `fit` the numbers of eye space, and all of them are beyond one
+/// plane.
+#[inline]
+fn is_beyond_bounds<H: Shading>(
+    volume: Option<&ViewVolume>,
+    transform: &impl ToEye,
+    model: &Model<'_, H>,
+    fit: impl FnOnce(&[[i16; 3]]) -> bool,
+) -> bool {
+    match (volume, H::bounds(model.skin())) {
+        (Some(volume), Some(bounds)) => fit(&bounds.ends()) && is_beyond(volume, transform, bounds),
+        _ => false,
+    }
+}
+
+/// Transforms the vertices of a model, or marks one of which nothing is seen. Returns whether all that are transformed are on
+/// the screen and in front of the far plane; where no face is cut, one that is not on the screen is an error.
 #[inline]
 fn put_on_screen<L: Look>(
     projection: &ProjectionOf<L>,
     transform: &impl ToEye,
     vertices: &[[i16; 3]],
     slots: &mut [ScreenVertexOf<L>],
+    is_unseen: bool,
 ) -> Result<bool, OutsideOf> {
+    if L::Shading::HAS_BOUNDS && is_unseen {
+        leave_out::<L>(slots);
+        return Ok(true);
+    }
     let all_inside = transform_model::<L>(projection, transform, vertices, slots)?;
     // Once more over the vertices, so that a frame without a far plane takes no time for it.
     if L::CLIPS && !L::IS_ORTHOGRAPHIC && has_far_plane::<L>(projection) {

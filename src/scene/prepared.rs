@@ -7,6 +7,7 @@ use crate::{
     geometry::InputError,
     scene::{
         Counters, Frame, Look, Model,
+        culling::faces_left_out,
         faces::{self, ScreenFace},
         frame::ActiveListOf,
         prepared_faces::PreparedFaces,
@@ -96,7 +97,50 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// A face has an `order`, its index in the order of models and faces (of two fragments with the same depth, the
     /// lower one is drawn), and three `corners` in the order of the mesh (the second and the third exchanged where a map
-    /// mirrors the model), each with the `point` that it was snapped to and its `depth` as stored: nearer is larger.
+    /// mirrors the model, and once more where its back is [drawn](crate::scene::DoubleSided)), each with the `point` that it
+    /// was snapped to and its `depth` as stored: nearer is larger.
+    ///
+    /// A wireframe, or a mesh drawn as points, is made of these: lines between corners, rounded to pixels, over what the scene
+    /// has drawn or alone.
+    ///
+    /// ```
+    /// use embedded_graphics::{
+    ///     pixelcolor::Rgb565,
+    ///     prelude::*,
+    ///     primitives::{Line, Rectangle},
+    /// };
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     draw::{DrawOn, PrimitiveStyle},
+    ///     scene::{Camera, FaceSet, Memory, Model},
+    /// };
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let mesh = FaceSet::new(&[[-512, -512, 1024], [0, 512, 1024], [512, -512, 1024]], &[[0, 1, 2]])?;
+    /// let models = [Model::new(mesh, &[Rgb565::RED])?];
+    /// let mut memory = Memory::<Rgb565, 3, 1, 64, 64>::new();
+    /// let mut scene = memory.prepare(&camera, &models)?;
+    /// let mut words = [0; 64 * 64];
+    /// let mut band = Band::<Rgb565>::new(area, &mut words)?;
+    /// scene.draw(&mut band);
+    /// for face in scene.faces() {
+    ///     // From 1/16 pixel, to the nearest.
+    ///     let [a, b, c] = face.corners.map(|corner| Point::new(corner.point.x_units() + 8, corner.point.y_units() + 8) / 16);
+    ///     // Faces that are seen from behind are in the table, too.
+    ///     let ([right, down], [x, y]) = ([b.x - a.x, b.y - a.y], [c.x - a.x, c.y - a.y]);
+    ///     if right * y > x * down {
+    ///         for (start, end) in [(a, b), (b, c), (c, a)] {
+    ///             let style = PrimitiveStyle::with_stroke(Rgb565::WHITE, 1);
+    ///             let Ok(()) = Line::new(start, end).into_styled(style).draw_on(&mut band);
+    ///         }
+    ///     }
+    /// }
+    /// let row: Vec<u16> = band.words()[32 * 64..33 * 64].to_vec();
+    /// assert_eq!(row.iter().filter(|word| **word == Rgb565::WHITE.into_storage()).count(), 2);
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
         faces::all::<L>(self.faces.vertices, self.faces.models, self.fragments.clone())
     }
@@ -132,6 +176,7 @@ impl<L: Look<Counting = Cell<Counters>>> Prepared<'_, '_, L> {
         Counters {
             faces,
             faces_culled: faces - whole - cut,
+            faces_culled_by_bounds: faces_left_out::<L>(self.faces.vertices, self.faces.models),
             faces_cut: cut,
             rows_without_depth: self.rows_without_depth(),
             rows_in_passes: self.rows_in_passes(),

@@ -14,6 +14,7 @@ use crate::{
         faces,
         frame::{ActiveListOf, AttributesOf, FRAGMENT, FRAGMENT_VERTICES, RowStart, Tables, corners, is_whole},
         model::outward,
+        preparation::clockwise,
     },
     shade::{Planes, Shading},
     surface::{BandColor, Order, Target},
@@ -171,7 +172,10 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
         let word = L::Shading::face(model.skin(), &uniforms, model.mesh(), face)?;
         let corners = if is_whole::<L>(node) {
             let corners = corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?);
-            corners.map(|corners| outward::<L::Shading, _>(model.skin(), corners))
+            corners.map(|corners| {
+                let corners = outward::<L::Shading, _>(model.skin(), corners);
+                clockwise::<L, _>(corners, corners)
+            })
         } else {
             self.fragment(node)
         };
@@ -242,7 +246,8 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         let face = self.first_faces.get(usize::from(node))?;
         let (skin, uniforms) = self.first_skin.as_ref()?;
         let word = L::Shading::face(skin, uniforms, self.models.first()?.mesh(), usize::from(node))?;
-        Some((outward::<L::Shading, _>(skin, corners(self.vertices, face)?), word))
+        let corners = outward::<L::Shading, _>(skin, corners(self.vertices, face)?);
+        Some((clockwise::<L, _>(corners, corners), word))
     }
 
     #[inline]
@@ -255,7 +260,7 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
             let start = usize::from(node & !FRAGMENT) + 1;
             return self.attributes.get(start..)?.first_chunk().copied();
         }
-        let (first_vertex, [a, b, c]) = match self.first_faces.get(usize::from(node)) {
+        let (first_vertex, face) = match self.first_faces.get(usize::from(node)) {
             Some(face) => {
                 let (skin, _) = self.first_skin.as_ref()?;
                 (0, outward::<L::Shading, _>(skin, *face))
@@ -267,6 +272,11 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
                     outward::<L::Shading, _>(model.skin(), *model.mesh().faces().get(face)?),
                 )
             }
+        };
+        let [a, b, c] = if L::DRAWS_BACKS {
+            clockwise::<L, _>(corners(self.vertices.get(first_vertex..)?, &face)?, face)
+        } else {
+            face
         };
         let attributes = |index: u16| self.attributes.get(first_vertex + usize::from(index)).copied();
         Some([attributes(a)?, attributes(b)?, attributes(c)?])

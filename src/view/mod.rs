@@ -17,6 +17,7 @@ mod projection;
 mod rotation;
 mod sine;
 mod unit_vector;
+mod view_volume;
 
 pub use affine::Affine;
 pub use camera::Camera;
@@ -30,3 +31,4 @@ pub(crate) use affine_eye_transform::AffineEyeTransform;
 pub(crate) use eye_transform::{EyeAxis, EyePoint, EyeTransform, ToEye};
 pub(crate) use projection::{Position, Projection, ScreenVertex, WideVertex};
 pub(crate) use sine::sine;
+pub(crate) use view_volume::ViewVolume;

@@ -6,7 +6,8 @@ use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
     scene::{
-        Camera, Counted, Deep, Fine, Look, Memory, Model, OnePass, Orthographic, Pose, Rotation, Unhurried, Whole,
+        Camera, Counted, Deep, DoubleSided, Fine, Look, Memory, Model, OnePass, Orthographic, Pose, Rotation,
+        Unhurried, Whole,
     },
 };
 use zrow_methods::LookOf;
@@ -122,6 +123,15 @@ fn every_pair_of_wrappers_goes_in_both_orders() {
     check::<Whole<Orthographic<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u16, false, true>>>();
     check::<Orthographic<OnePass<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u16, true, false>>>();
     check::<OnePass<Orthographic<Rgb888>>, Orthographic<LookOf<Rgb888, Sub4, u16, true, false>>>();
+    check::<DoubleSided<Fine<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub8, u16, true, true>>>();
+    check::<Fine<DoubleSided<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub8, u16, true, true>>>();
+    check::<DoubleSided<Deep<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u32, true, true>>>();
+    check::<Deep<DoubleSided<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u32, true, true>>>();
+    check::<DoubleSided<Whole<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u16, false, true>>>();
+    check::<Whole<DoubleSided<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u16, false, true>>>();
+    check::<DoubleSided<OnePass<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u16, true, false>>>();
+    check::<OnePass<DoubleSided<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u16, true, false>>>();
+    check::<DoubleSided<Orthographic<Rgb888>>, Orthographic<DoubleSided<LookOf<Rgb888, Sub4, u16, true, true>>>>();
 }
 
 #[test]
@@ -154,4 +164,5 @@ fn memory_is_that_of_the_look() {
     assert_eq!(grown::<Deep<Rgb888>>(), [800, 200, 400, 400]);
     assert_eq!(grown::<Fine<Rgb888>>(), [1200, 200, 200, 400]);
     assert_eq!(grown::<Orthographic<Rgb888>>(), [600, 200, 200, 400]);
+    assert_eq!(grown::<DoubleSided<Rgb888>>(), [600, 200, 200, 400]);
 }

@@ -10,14 +10,17 @@ mod reference {
 mod snapped_faces;
 
 mod affine_maps;
+mod bounds;
 mod cameras;
 mod clipped_faces;
 mod counters;
 mod depth_row;
+mod double_sided;
 mod fog;
 mod holes;
 mod lighting;
 mod looks;
+mod morphing;
 mod number_range;
 mod numbered_scene;
 mod orientations;
@@ -38,3 +41,4 @@ mod shading_skins;
 mod textures;
 mod translucent;
 mod unclipped_faces;
+mod wireframes;

@@ -5,6 +5,7 @@
 
 mod counted;
 mod deep;
+mod double_sided;
 mod fine;
 mod one_pass;
 mod orthographic;
@@ -13,6 +14,7 @@ mod whole;
 
 pub use counted::Counted;
 pub use deep::Deep;
+pub use double_sided::DoubleSided;
 pub use fine::Fine;
 pub use one_pass::OnePass;
 pub use orthographic::Orthographic;
@@ -33,8 +35,8 @@ use crate::{
 /// Every [`Shading`] is a look, and a colour is the plainest one, with a colour a face: positions at 1/16 pixel ([`Sub4`]),
 /// depths of 16 bits, faces are cut, rows are drawn in passes where they must. A wrapper changes one thing of another look, in
 /// any order: [`Fine`] (positions at 1/256 pixel), [`Deep`] (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no
-/// row is drawn in passes), [`Orthographic`] (parallel rays), [`Counted`] (counters), [`Unhurried`] (no shortcuts). A look can
-/// also be a type of the program's own.
+/// row is drawn in passes), [`Orthographic`] (parallel rays), [`DoubleSided`] (faces are seen from both sides), [`Counted`]
+/// (counters), [`Unhurried`] (no shortcuts). A look can also be a type of the program's own.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -95,6 +97,9 @@ pub trait Look: 'static {
 
     /// Whether rays are parallel, so that things are as large wherever they are, and no vertex is divided by its distance.
     const IS_ORTHOGRAPHIC: bool = false;
+
+    /// Whether faces that are seen from behind are drawn like those that are seen from the front.
+    const DRAWS_BACKS: bool = false;
 }
 
 impl<H: Shading> Look for H {

@@ -20,4 +20,5 @@ impl<L: Look> Look for OnePass<L> {
     const DRAWS_IN_PASSES: bool = false;
     const HURRIES: bool = L::HURRIES;
     const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
+    const DRAWS_BACKS: bool = L::DRAWS_BACKS;
 }

@@ -51,6 +51,7 @@ impl<L: Look> Look for Orthographic<L> {
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
     const HURRIES: bool = L::HURRIES;
     const IS_ORTHOGRAPHIC: bool = true;
+    const DRAWS_BACKS: bool = L::DRAWS_BACKS;
 }
 
 impl<L: Look> Orthographic<L> {

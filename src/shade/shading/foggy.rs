@@ -24,7 +24,7 @@ use fixed::types::I16F16;
 
 use crate::{
     geometry::{TooSmall, quotient_nearest},
-    mesh::FaceSet,
+    mesh::{BoundingBox, FaceSet},
     shade::{BlendedColor, ChannelColor, Planes, Shading, layout::Layout, shading::perspective::Perspective},
     surface::BandColor,
     view::{Affine, Camera, EyeAxis, Pose},
@@ -166,6 +166,13 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
         assert!(!H::HAS_AFFINE_MAP, "Transformed goes around Foggy, not into it");
         false
     };
+
+    const HAS_BOUNDS: bool = H::HAS_BOUNDS;
+
+    #[inline]
+    fn bounds<'s>((skin, _): &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+        H::bounds(skin)
+    }
 
     #[inline]
     fn transformed_vertex(

@@ -7,6 +7,7 @@
 
 mod attributes;
 mod blinn;
+mod bounded;
 mod flat;
 
 mod flat_lit;
@@ -20,10 +21,12 @@ mod point_light;
 mod textured;
 mod transformed;
 mod translucent;
+mod two_sided;
 
 pub use attributes::Attributes;
 pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
 pub use blinn::Blinn;
+pub use bounded::Bounded;
 pub(crate) use flat::Flat;
 pub use flat_lit::{FlatLit, FlatLitSkin};
 pub use foggy::{Fog, Foggy};
@@ -36,12 +39,13 @@ pub use point_light::PointLight;
 pub use textured::{Textured, TexturedSkin};
 pub use transformed::Transformed;
 pub use translucent::Translucent;
+pub use two_sided::TwoSided;
 
 use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
-    mesh::FaceSet,
+    mesh::{BoundingBox, FaceSet},
     surface::{BandColor, PixelWord},
     view::{Affine, Camera, Pose},
 };
@@ -207,6 +211,15 @@ pub trait Shading: 'static {
         face: usize,
     ) -> Option<<Self::Color as BandColor>::Word> {
         Self::face(skin, uniforms, mesh, face)
+    }
+
+    /// Whether models have [bounds](Self::bounds), as [`Bounded`] ones do. Where they have none, nothing is linked for it.
+    const HAS_BOUNDS: bool = false;
+
+    /// The box around the vertices of a model, before any map. Called a few times a model and frame.
+    #[inline]
+    fn bounds<'s>(_: &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+        None
     }
 }
 

@@ -8,7 +8,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
-    mesh::FaceSet,
+    mesh::{BoundingBox, FaceSet},
     shade::{Planes, Shading},
     surface::BandColor,
     view::{Affine, Camera, Pose},
@@ -64,6 +64,8 @@ impl<H: Shading> Shading for Transformed<H> {
     type Uniforms = (H::Uniforms, Affine);
     type Attributes = H::Attributes;
     const TOLERANCE: <H::Attributes as Planes>::Tolerance = H::TOLERANCE;
+    const BLENDS: bool = H::BLENDS;
+    const HAS_BOUNDS: bool = H::HAS_BOUNDS;
     const HAS_AFFINE_MAP: bool = {
         assert!(
             !H::HAS_AFFINE_MAP,
@@ -114,8 +116,6 @@ impl<H: Shading> Shading for Transformed<H> {
         affine
     }
 
-    const BLENDS: bool = H::BLENDS;
-
     #[inline]
     fn is_translucent((skin, _): &Self::Skin<'_>) -> bool {
         H::is_translucent(skin)
@@ -129,5 +129,10 @@ impl<H: Shading> Shading for Transformed<H> {
         position: Point,
     ) -> <H::Color as BandColor>::Word {
         H::blend(skin, fragment, behind, position)
+    }
+
+    #[inline]
+    fn bounds<'s>((skin, _): &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+        H::bounds(skin)
     }
 }

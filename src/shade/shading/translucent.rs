@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use crate::{
     coverage::Coverage,
     geometry::TooSmall,
-    mesh::FaceSet,
+    mesh::{BoundingBox, FaceSet},
     shade::{BlendedColor, ChannelColor, Encoded, Planes, Shading},
     surface::{BandColor, LittleEndian, Order},
     view::{Affine, Camera, Pose},
@@ -78,6 +78,7 @@ impl<H: Shading<Color: ChannelColor>> Shading for Translucent<H> {
         true
     };
     const HAS_AFFINE_MAP: bool = H::HAS_AFFINE_MAP;
+    const HAS_BOUNDS: bool = H::HAS_BOUNDS;
 
     fn check((skin, _): &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         H::check(skin, mesh)
@@ -135,6 +136,11 @@ impl<H: Shading<Color: ChannelColor>> Shading for Translucent<H> {
         H::Color::blend_run::<Encoded, LittleEndian>(&mut word, position, H::Color::from_word(fragment), *alpha);
         let [word] = word;
         LittleEndian::reorder(word)
+    }
+
+    #[inline]
+    fn bounds<'s>((skin, _): &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+        H::bounds(skin)
     }
 
     #[inline]

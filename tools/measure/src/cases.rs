@@ -22,6 +22,7 @@ pub fn all() -> Vec<Case> {
         .chain(teapots())
         .chain(effects::budgeted())
         .chain(looks())
+        .chain(crowds())
         .chain(pictures())
         .chain(contours())
         .chain(instruments())
@@ -318,6 +319,33 @@ const LOOKS: &[(&str, &str)] = &[
     ("look.fine", "positions at 1/256 pixel"),
     ("look.fine_deep", "positions at 1/256 pixel and depths of 32 bits"),
 ];
+
+/// Thirty spheres of which five are seen: what boxes around models save.
+fn crowds() -> impl Iterator<Item = Case> {
+    let boxes = [
+        ("crowd.plain", "no boxes"),
+        ("crowd.bounded", "boxes that are constants"),
+        ("crowd.found", "boxes found in each frame"),
+    ];
+    let parts = [("draw", "", ""), ("prepare", ".prepare", ": preparing alone")];
+    [V7EM, V6M].into_iter().flat_map(move |target| {
+        boxes.into_iter().flat_map(move |(count, what)| {
+            parts.into_iter().map(move |(variant, suffix, part)| Case {
+                name: format!("{count}{suffix}"),
+                title: format!("30 spheres, 25 outside of the picture, {what}{part}"),
+                target,
+                budget: None,
+                cycles_budget: None,
+                source: Source::Count {
+                    firmware: "crowds",
+                    count,
+                    variant,
+                    peer: Peer::None,
+                },
+            })
+        })
+    })
+}
 
 /// A standard scene at 128 x 64, without a frame buffer.
 struct Scene {

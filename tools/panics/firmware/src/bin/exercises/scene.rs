@@ -9,12 +9,12 @@ use zrow::{
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{
-        Counted, Counters, Deep, DepthWidth, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Orthographic,
-        Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
+        BoundingBox, Counted, Counters, Deep, DepthWidth, DoubleSided, FaceSet, Fine, Frame, Look, Memory, Model,
+        OnePass, Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
     shade::{
-        Bilinear, Blinn, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading, Texels,
-        Textured, Transformed, Translucent,
+        Bilinear, Blinn, Bounded, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading,
+        Texels, Textured, Transformed, Translucent, TwoSided,
     },
 };
 use zrow_methods::LookOf;
@@ -51,10 +51,16 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<EvenStripes>,
     shaded::<Stripes>,
     shaded::<Transformed<Gouraud<Rgb565>>>,
+    shaded::<Bounded<Rgb565>>,
+    look::<Fine<Transformed<Bounded<Gouraud<Rgb565>>>>>,
+    look::<Whole<Orthographic<Bounded<Transformed<Foggy<Rgb565>>>>>>,
     look::<Transformed<Rgb565>>,
     look::<Whole<Fine<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>>,
     look::<Deep<Transformed<FlatLit<Gray4>>>>,
     look::<Orthographic<Rgb565>>,
+    look::<DoubleSided<Rgb565>>,
+    look::<DoubleSided<LitTextured<Texels<Rgb565, 64, 64>>>>,
+    look::<Whole<Fine<DoubleSided<Transformed<FlatLit<Gray4, TwoSided<Lambert<1>>>>>>>>,
     look::<Counted<Rgb565>>,
     look::<Unhurried<Counted<LitTextured<Texels<Rgb565, 64, 64>>>>>,
     counted,
@@ -147,6 +153,11 @@ fn picture_item<C: BandColor, O: Order, T: PictureItem<C, O> + 'static>() {
 #[inline(never)]
 fn model() {
     keep(FaceSet::vertices_of(any()));
+    keep(FaceSet::bounds(any()));
+    keep(FaceSet::morphed(any(), any(), any(), any()));
+    keep(BoundingBox::around(any()));
+    keep(BoundingBox::joined(any(), any()));
+    eq::<BoundingBox>();
     keep(FaceSet::faces_of(any()));
     keep(Model::<Rgb565>::new(any(), any()));
     keep(Model::<Rgb565>::with_pose(any(), any()));

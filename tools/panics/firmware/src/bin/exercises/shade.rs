@@ -7,11 +7,11 @@ use zrow::{
     geometry::TooSmall,
     scene::{Camera, FaceSet, Pose},
     shade::{
-        Attributes, Bilinear, BlendTarget, Blinn, ChannelColor, Clamped, ConeFilter, CutOut, DirectionalLight, FlatLit,
-        FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting, LinearGradient,
-        LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, PointLight, RadialGradient, Ramp, ReflectedLight,
-        SampleFilter, SampleTarget, Sampler, Shading, Texels, Texture, Textured, TexturedSkin, Transformed,
-        Translucent,
+        Attributes, Bilinear, BlendTarget, Blinn, Bounded, ChannelColor, Clamped, ConeFilter, CutOut, DirectionalLight,
+        FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting,
+        LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, PointLight, RadialGradient, Ramp,
+        ReflectedLight, SampleFilter, SampleTarget, Sampler, Shading, Texels, Texture, Textured, TexturedSkin,
+        Transformed, Translucent, TwoSided,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
@@ -87,10 +87,14 @@ pub const EXERCISES: &[fn()] = &[
     shading::<Transformed<Gouraud<Rgb565>>>,
     shading::<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>,
     shading::<Transformed<Stripes>>,
+    shading::<Bounded<Rgb565>>,
+    shading::<Bounded<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>,
     attributes::<([i16; 2], Perspective<1>)>,
     lighting::<Lambert<0>>,
     lighting::<Lambert<2, 2>>,
     lighting::<Blinn<2, 2>>,
+    lighting::<TwoSided<Lambert<2, 2>>>,
+    lighting::<TwoSided<Blinn<1>>>,
     texture::<Texels<Gray8, 1, 4096>>,
     texture::<Texels<Rgb565, 64, 64>>,
     texture::<Indexed<Rgb565, 1, 1, 2>>,
@@ -210,6 +214,7 @@ fn lights() {
 #[inline(never)]
 fn skins() {
     eq::<FlatLitSkin<'_, Rgb565>>();
+    eq::<TwoSided<Lambert<1>>>();
     eq::<GouraudSkin<'_, Rgb565>>();
     clone::<TexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
     clone::<LitTexturedSkin<'_, Texels<Rgb565, 64, 64>>>();
@@ -231,7 +236,8 @@ fn shading<H: Shading>() {
     keep(<H as Shading>::affine(any()));
     keep(<H as Shading>::transformed_vertex(any(), any(), any(), any(), any()));
     keep(<H as Shading>::transformed_face(any(), any(), any(), any(), any()));
-    keep((H::TOLERANCE, H::HAS_AFFINE_MAP));
+    keep(<H as Shading>::bounds(any()));
+    keep((H::TOLERANCE, H::HAS_AFFINE_MAP, H::HAS_BOUNDS));
 }
 
 #[inline(never)]

@@ -1,0 +1,405 @@
+//! Models that are left out by their bounding boxes: pictures with and without them, bit for bit.
+
+use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
+use fixed::types::{I8F24, I16F16, U0F16};
+use proptest::prelude::*;
+use std::cell::Cell;
+use zrow::{
+    band::Band,
+    draw::PictureItem,
+    geometry::{InputError, Window},
+    scene::{
+        Affine, BoundingBox, Camera, Counted, Counters, Deep, FaceSet, Fine, Look, Memory, Model, Orthographic, Pose,
+        Rotation, SceneItem, Unhurried, Whole,
+    },
+    shade::{Bounded, Shading, Transformed},
+};
+
+use crate::common::meshes::{self, Mesh};
+use crate::common::{cases, config};
+use crate::numbered_scene::{area, color_of};
+use crate::shaded_scene::{Even, Numbers};
+use crate::snapped_faces::{at, camera};
+
+/// Models of random meshes: vertices, faces and where each is.
+#[derive(Debug, Clone)]
+struct Crowd {
+    meshes: Vec<Mesh>,
+    poses: Vec<Pose>,
+    maps: Vec<Affine>,
+}
+
+const MODELS: usize = 4;
+const WIDTH: u32 = 40;
+const HEIGHT: u32 = 28;
+
+fn rotation() -> impl Strategy<Value = Rotation> {
+    any::<[u16; 3]>().prop_map(|angles| {
+        let [a, b, c] = angles.map(U0F16::from_bits);
+        Rotation::about_x(a)
+            .then(&Rotation::about_y(b))
+            .then(&Rotation::about_z(c))
+    })
+}
+
+/// A mesh of some vertices around the origin or far from it, with faces seen from both sides.
+fn mesh() -> impl Strategy<Value = Mesh> {
+    let vertices = prop_oneof![
+        4 => (prop::array::uniform3(-200i16..200), 0u32..3).prop_flat_map(|(middle, shift)| {
+            let vertex = prop::array::uniform3(-160i16..160);
+            prop::collection::vec(vertex, 3..7).prop_map(move |vertices| {
+                let moved = |vertex: [i16; 3]| core::array::from_fn(|axis| (vertex[axis] >> shift) + middle[axis]);
+                vertices.into_iter().map(moved).collect::<Vec<[i16; 3]>>()
+            })
+        }),
+        1 => prop::collection::vec(prop::array::uniform3(any::<i16>()), 3..7),
+    ];
+    (
+        vertices,
+        prop::collection::vec(prop::array::uniform3(any::<u16>()), 1..4),
+    )
+        .prop_map(|(vertices, faces)| {
+            let count = vertices.len() as u16;
+            let faces = faces.into_iter().map(|face| face.map(|index| index % count)).collect();
+            Mesh::new(vertices, faces).two_sided()
+        })
+}
+
+/// Around the frustum, mostly near its sides, or anywhere.
+fn position() -> impl Strategy<Value = [I16F16; 3]> {
+    let beside = (-40i32..40, -40i32..40, -100i32..2_400).prop_map(|(x, y, z)| {
+        let reach = (z.max(150) + 300) / 16;
+        at(x * reach / 16, y * reach / 20, z)
+    });
+    prop_oneof![
+        5 => beside,
+        1 => prop::array::uniform3(any::<i32>().prop_map(I16F16::from_bits)),
+    ]
+}
+
+fn map() -> impl Strategy<Value = Affine> {
+    let element = prop_oneof![2 => -3i32 << 24..3 << 24, 1 => -1i32 << 20..1 << 20];
+    let matrix = prop::array::uniform3(prop::array::uniform3(element));
+    (matrix, prop::array::uniform3(-300i32..300)).prop_map(|(matrix, [x, y, z])| Affine {
+        matrix: matrix.map(|row| row.map(I8F24::from_bits)),
+        translation: at(x, y, z),
+    })
+}
+
+fn crowd() -> impl Strategy<Value = Crowd> {
+    let many = |count| {
+        (
+            prop::collection::vec(mesh(), count),
+            prop::collection::vec(map(), count),
+        )
+    };
+    let poses = prop::collection::vec((rotation(), position()), MODELS);
+    (many(MODELS), poses).prop_map(|((meshes, maps), poses)| Crowd {
+        meshes,
+        poses: poses
+            .into_iter()
+            .map(|(rotation, position)| Pose::new(rotation, position))
+            .collect(),
+        maps,
+    })
+}
+
+/// Cameras of any place, direction, focal length, centre and far plane.
+fn any_camera() -> impl Strategy<Value = Camera> {
+    let corner =
+        prop_oneof![3 => Just(Point::zero()), 1 => (-500i32..400, -500i32..400).prop_map(|(x, y)| Point::new(x, y))];
+    (
+        corner,
+        rotation(),
+        prop_oneof![3 => Just([0; 3]), 1 => prop::array::uniform3(-400i32..400)],
+        prop_oneof![2 => 8i32..300, 1 => Just(128)],
+        prop_oneof![2 => Just(20i32), 1 => 1i32..2047],
+        (-60i32..90, -60i32..90),
+        prop_oneof![Just(None), (301i32..3_000).prop_map(Some)],
+        prop_oneof![2 => 1i32 << 18..1 << 23, 1 => 1i32..i32::MAX],
+        any::<bool>(),
+    )
+        .prop_map(
+            |(corner, rotation, [x, y, z], near, focal, centre, far, scale, is_turned)| {
+                let whole = I16F16::from_num::<i32>;
+                let viewport = Rectangle::new(corner, Size::new(WIDTH, HEIGHT));
+                let mut camera = Camera::new(viewport, whole(near)).unwrap();
+                camera = camera.with_focal_length(whole(focal)).unwrap();
+                camera = camera.with_scale(I8F24::from_bits(scale)).unwrap();
+                camera = camera.with_centre([centre.0, centre.1].map(whole)).unwrap();
+                if let Some(far) = far {
+                    camera = camera.with_far(whole(far)).unwrap();
+                }
+                let rotation = if is_turned { rotation } else { Rotation::IDENTITY };
+                camera.with_pose(Pose::new(rotation, at(x, y, z)))
+            },
+        )
+}
+
+/// What there is to see of models, and what was left out.
+#[derive(Debug)]
+struct Seen {
+    words: Vec<u32>,
+    vertices_needed: usize,
+    active_needed: usize,
+    counters: Counters,
+    faces: Vec<usize>,
+}
+
+fn seen<L>(models: &[Model<'_, L::Shading>], camera: &Camera) -> Result<Seen, InputError>
+where
+    L: Look<Color = Rgb888, Counting = Cell<Counters>>,
+{
+    let mut memory = Box::new(Memory::<L, 2_000, 80, 64, 32, 32>::new());
+    let mut prepared = memory.prepare(camera, models)?;
+    let area = camera.viewport().to_rectangle();
+    let mut words = vec![0; (area.size.width * area.size.height) as usize];
+    prepared.draw(&mut Band::<Rgb888>::new(area, &mut words).unwrap());
+    Ok(Seen {
+        words,
+        vertices_needed: prepared.vertices_needed(),
+        active_needed: prepared.active_needed(),
+        counters: prepared.counters(),
+        faces: prepared.faces().map(|face| face.order).collect(),
+    })
+}
+
+/// The models of a crowd, each with a skin.
+fn models<'a, H: Shading>(crowd: &'a Crowd, skin: impl Fn(usize) -> H::Skin<'a>) -> Vec<Model<'a, H>> {
+    let places = crowd.meshes.iter().zip(&crowd.poses).enumerate();
+    places
+        .map(|(number, (mesh, pose))| {
+            Model::<H>::with_skin(mesh.face_set(), skin(number))
+                .unwrap()
+                .with_pose(*pose)
+        })
+        .collect()
+}
+
+/// Compares what two looks see, of which the second one has bounds; returns how many faces were left out by those.
+fn compare<L, B>(
+    plain: &[Model<'_, L::Shading>],
+    bounded: &[Model<'_, B::Shading>],
+    camera: &Camera,
+) -> Result<u32, TestCaseError>
+where
+    L: Look<Color = Rgb888, Counting = Cell<Counters>>,
+    B: Look<Color = Rgb888, Counting = Cell<Counters>>,
+{
+    let (with, without) = (seen::<B>(bounded, camera), seen::<L>(plain, camera));
+    let Ok(without) = without else {
+        if L::CLIPS {
+            prop_assert_eq!(with.err(), without.err());
+        }
+        return Ok(0);
+    };
+    let with = with.unwrap();
+    prop_assert!(with.words == without.words, "the picture is another one");
+    prop_assert_eq!(with.vertices_needed, without.vertices_needed);
+    prop_assert_eq!(with.active_needed, without.active_needed);
+    prop_assert_eq!(with.counters.faces_culled, without.counters.faces_culled);
+    prop_assert_eq!(with.counters.faces_cut, without.counters.faces_cut);
+    prop_assert!(with.faces.iter().all(|face| without.faces.contains(face)));
+    prop_assert_eq!(without.counters.faces_culled_by_bounds, 0);
+    Ok(with.counters.faces_culled_by_bounds)
+}
+
+fn colors(crowd: &Crowd) -> Vec<Vec<Rgb888>> {
+    let mut numbers = 0..;
+    let meshes = crowd.meshes.iter();
+    meshes
+        .map(|mesh| numbers.by_ref().take(mesh.faces.len()).map(color_of).collect())
+        .collect()
+}
+
+fn compare_in<L, B>(crowd: &Crowd, camera: &Camera) -> Result<u32, TestCaseError>
+where
+    L: Look<Color = Rgb888, Shading = Rgb888, Counting = Cell<Counters>>,
+    B: Look<Color = Rgb888, Shading = Bounded<Rgb888>, Counting = Cell<Counters>>,
+{
+    let colors = colors(crowd);
+    let bounds = |number: usize| crowd.meshes[number].face_set().bounds();
+    let plain = models::<Rgb888>(crowd, |number| &colors[number]);
+    let bounded = models::<Bounded<Rgb888>>(crowd, |number| (&colors[number], bounds(number)));
+    let left_out = compare::<L, B>(&plain, &bounded, camera)?;
+    // A box for itself is seen where its model is not left out.
+    if let Ok(seen) = seen::<B>(&bounded, camera) {
+        let places = crowd.meshes.iter().zip(&crowd.poses);
+        let unseen = places.filter(|(mesh, pose)| !camera.may_see::<B>(&mesh.face_set().bounds(), pose));
+        let faces: u32 = unseen.map(|(mesh, _)| mesh.faces.len() as u32).sum();
+        prop_assert_eq!(seen.counters.faces_culled_by_bounds, faces);
+    }
+    Ok(left_out)
+}
+
+type Mapped = Transformed<Rgb888>;
+type BoundsInMap = Transformed<Bounded<Rgb888>>;
+type MapInBounds = Bounded<Transformed<Rgb888>>;
+
+#[test]
+fn pictures_are_the_same_with_and_without_bounds() {
+    let left_out = Cell::new([0u32; 7]);
+    let mut runner = proptest::test_runner::TestRunner::new(config(cases(1_500, 10_000)));
+    runner
+        .run(&(crowd(), any_camera()), |(crowd, camera)| {
+            let colors = colors(&crowd);
+            let bounds = |number: usize| crowd.meshes[number].face_set().bounds();
+            let mapped = models::<Mapped>(&crowd, |number| (&colors[number], crowd.maps[number]));
+            let inside =
+                models::<BoundsInMap>(&crowd, |number| ((&colors[number], bounds(number)), crowd.maps[number]));
+            let outside =
+                models::<MapInBounds>(&crowd, |number| ((&colors[number], crowd.maps[number]), bounds(number)));
+            let found = [
+                compare_in::<Counted<Rgb888>, Counted<Bounded<Rgb888>>>(&crowd, &camera)?,
+                compare_in::<Counted<Fine<Deep<Rgb888>>>, Unhurried<Counted<Fine<Deep<Bounded<Rgb888>>>>>>(
+                    &crowd, &camera,
+                )?,
+                compare_in::<Counted<Whole<Rgb888>>, Counted<Whole<Bounded<Rgb888>>>>(&crowd, &camera)?,
+                compare_in::<Counted<Orthographic<Rgb888>>, Counted<Orthographic<Bounded<Rgb888>>>>(&crowd, &camera)?,
+                compare_in::<Orthographic<Counted<Fine<Rgb888>>>, Orthographic<Counted<Fine<Bounded<Rgb888>>>>>(
+                    &crowd, &camera,
+                )?,
+                compare::<Counted<Mapped>, Counted<BoundsInMap>>(&mapped, &inside, &camera)?,
+                compare::<Counted<Fine<Mapped>>, Counted<Fine<MapInBounds>>>(&mapped, &outside, &camera)?,
+            ];
+            let sums = left_out.get();
+            left_out.set(core::array::from_fn(|at| sums[at] + found[at]));
+            Ok(())
+        })
+        .unwrap();
+    // Each look had something to leave out, and most of it: a third of all faces at least, where all are prepared.
+    let sums = left_out.get();
+    assert!(sums.iter().all(|&sum| sum > 100) && sums[0] > 4_000, "{sums:?}");
+}
+
+proptest! {
+    #![proptest_config(config(cases(300, 10_000)))]
+
+    /// What varies over faces is left alone where a model is left out, and right for those after it.
+    #[test]
+    fn attributes_are_those_of_their_vertices(crowd in crowd(), camera in any_camera()) {
+        type Shown = Even<1>;
+        let numbers: Vec<Vec<[i16; 1]>> = (0..).zip(&crowd.meshes).map(|(number, mesh)| {
+            (0..).zip(&mesh.vertices).map(|(vertex, _)| [number * 1_000 + vertex * 100]).collect()
+        }).collect();
+        let skin = |number: usize| Numbers { of_vertices: &numbers[number][..], shown: 0 };
+        let plain = models::<Shown>(&crowd, skin);
+        let bounded = models::<Bounded<Shown>>(&crowd, |number| (skin(number), crowd.meshes[number].face_set().bounds()));
+        compare::<Counted<Shown>, Counted<Bounded<Shown>>>(&plain, &bounded, &camera)?;
+    }
+
+    /// A box is found outside where all of its corners, computed in `f64`, are beyond one plane by half a pixel, which is where
+    /// the sides are.
+    #[test]
+    fn boxes_beyond_a_plane_are_found(
+        corners in prop::array::uniform2(prop::array::uniform3(-300i16..300)),
+        rotation in rotation(),
+        position in position(),
+        camera in any_camera(),
+    ) {
+        let bounds = BoundingBox::around(&corners);
+        let turned = |rotation: &Rotation| rotation.matrix().map(|row| row.map(|element| element.to_num::<f64>()));
+        let (model, eye) = (turned(&rotation), turned(&camera.pose().rotation));
+        let real = |vector: [I16F16; 3]| vector.map(|part| part.to_num::<f64>());
+        let (to, from) = (real(position), real(camera.pose().translation));
+        let points: Vec<[f64; 3]> = (0..8).map(|number| {
+            let corner: [f64; 3] = core::array::from_fn(|axis| f64::from(corners[number >> axis & 1][axis]));
+            let turned = model.map(|row| row.iter().zip(corner).map(|(part, at)| part * at).sum::<f64>());
+            let placed: [f64; 3] = core::array::from_fn(|row| turned[row] + to[row] - from[row]);
+            core::array::from_fn(|column| (0..3).map(|row| eye[row][column] * placed[row]).sum())
+        }).collect();
+        let focal: f64 = camera.focal_length().to_num();
+        let (near, far): (f64, f64) = (camera.near().to_num(), camera.far().to_num());
+        let far = if camera.far() == I16F16::MAX { f64::INFINITY } else { far };
+        let [centre_x, centre_y] = camera.centre().map(|part| part.to_num::<f64>());
+        let ends = [-centre_x, f64::from(WIDTH) - centre_x, -centre_y, f64::from(HEIGHT) - centre_y];
+        // Beyond by some pixels, with a margin of space for small distances. Behind the camera fewer pixels are farther away.
+        let beyond = |pixels: [f64; 2], space: f64| {
+            let all = |test: &dyn Fn(&[f64; 3]) -> bool| points.iter().all(test);
+            let side = |sign: f64, axis: usize, end: f64| all(&|point: &[f64; 3]| {
+                let along = if axis == 1 { -point[1] } else { point[0] };
+                pixels.iter().all(|pixels| {
+                    let margin = space * (focal + end.abs() + pixels);
+                    sign * (focal * along - (end + sign * pixels) * point[2]) > margin
+                })
+            });
+            all(&|point| point[2] < near - space) || all(&|point| point[2] > far + space)
+                || side(-1.0, 0, ends[0]) || side(1.0, 0, ends[1]) || side(-1.0, 1, ends[2]) || side(1.0, 1, ends[3])
+        };
+        let may_see = camera.may_see::<Rgb888>(&bounds, &Pose::new(rotation, position));
+        if beyond([0.4, 0.6], 0.3) {
+            prop_assert!(!may_see);
+        } else if !beyond([0.0; 2], -0.3) {
+            prop_assert!(may_see, "beyond no plane");
+        }
+    }
+}
+
+/// A model whose frame before was seen leaves nothing of that frame behind.
+#[test]
+fn a_model_that_is_left_out_has_no_faces() {
+    let mesh = meshes::cube(0.5);
+    let colors: Vec<Rgb888> = (0..12).map(color_of).collect();
+    let model = Model::<Bounded<Rgb888>>::with_skin(mesh.face_set(), (&colors, mesh.face_set().bounds())).unwrap();
+    let at = |x, z| model.with_pose(Pose::new(Rotation::IDENTITY, at(x, 0, z)));
+    let area = area(64, 48);
+    let mut memory = Box::new(Memory::<Whole<Bounded<Rgb888>>, 16, 24, 64, 48>::new());
+    let camera = camera(area);
+    let both = [at(-300, 1_500), at(300, 1_500)];
+    assert_eq!(memory.prepare(&camera, &both).unwrap().faces().count(), 24);
+    // The second one is behind the camera: no error, because nothing is cut of what is left out.
+    let one = [at(-300, 1_500), at(300, -1_500)];
+    let faces: Vec<_> = memory
+        .prepare(&camera, &one)
+        .unwrap()
+        .faces()
+        .map(|face| face.order)
+        .collect();
+    assert_eq!(faces, Vec::from_iter(0..12));
+    let other = [at(-9_000, 1_500), at(300, 1_500)];
+    let faces: Vec<_> = memory
+        .prepare(&camera, &other)
+        .unwrap()
+        .faces()
+        .map(|face| face.order)
+        .collect();
+    assert_eq!(faces, Vec::from_iter(12..24));
+    // Partly behind the near plane it is seen, and has to be cut.
+    let cut = [at(-300, 1_500), at(0, 200)];
+    assert_eq!(
+        memory.prepare(&camera, &cut).err(),
+        Some(InputError::BeforeNearPlane { model: 1 })
+    );
+
+    let item = SceneItem::new(memory.frame(), &camera, both).unwrap();
+    let bounds = |item: &SceneItem<'_, '_, Whole<Bounded<Rgb888>>, 2>| {
+        <SceneItem<'_, '_, _, 2> as PictureItem<Rgb888, zrow::band::LittleEndian>>::bounds(item)
+    };
+    let whole = bounds(&item);
+    item.prepare(&camera, one).unwrap();
+    let left = bounds(&item);
+    assert!(
+        whole.left == left.left && whole.right > left.right,
+        "{whole:?} {left:?}"
+    );
+    item.prepare(&camera, [at(0, -900), at(0, -900)]).unwrap();
+    assert_eq!(bounds(&item), Window::EMPTY);
+}
+
+/// A mesh without vertices has a box around nothing, which is nowhere.
+#[test]
+fn a_box_around_nothing_is_not_seen() {
+    let nothing = FaceSet::new(&[], &[]).unwrap();
+    let camera = camera(area(64, 48));
+    assert!(!camera.may_see::<Rgb888>(&nothing.bounds(), &Pose::IDENTITY));
+    let mesh = meshes::cube(0.5);
+    let colors: Vec<Rgb888> = (0..12).map(color_of).collect();
+    let solid = Model::<Bounded<Rgb888>>::with_skin(mesh.face_set(), (&colors, mesh.face_set().bounds())).unwrap();
+    let empty = Model::<Bounded<Rgb888>>::with_skin(nothing, (&[], nothing.bounds())).unwrap();
+    let pose = Pose::new(Rotation::IDENTITY, at(0, 0, 1_500));
+    let models = [empty, solid.with_pose(pose), empty, solid, empty];
+    let mut memory = Box::new(Memory::<Counted<Bounded<Rgb888>>, 64, 24, 64, 48>::new());
+    let prepared = memory.prepare(&camera, &models).unwrap();
+    let faces: Vec<_> = prepared.faces().map(|face| face.order).take(12).collect();
+    assert_eq!(faces, Vec::from_iter(0..12));
+}
