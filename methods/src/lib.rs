@@ -17,6 +17,8 @@ mod look;
 mod methods;
 mod precision;
 mod random;
+pub mod space;
+mod trigonometry;
 
 use core::f64::consts::TAU;
 
@@ -31,6 +33,10 @@ pub use look::LookOf;
 pub use methods::{Input, METHODS, Method};
 pub use precision::{Fraction, clip_window};
 pub use random::Random;
+pub use trigonometry::{
+    TRIGONOMETRY, TRIGONOMETRY_COUNT, Trigonometry, cordic, interpolated_entry, libm_single, micromath, nearest_entry,
+    polynomial,
+};
 
 /// Columns and rows of the square that the shapes are in.
 pub const SIZE: usize = 48;

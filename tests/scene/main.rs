@@ -16,6 +16,7 @@ mod clipped_faces;
 mod counters;
 mod depth_row;
 mod double_sided;
+mod flight;
 mod fog;
 mod holes;
 mod lighting;

@@ -1,6 +1,10 @@
 //! What an axis of the report is: a family of methods, how wrong each is, and what it costs.
 
-use super::{counted::Counted, picture::Picture, timing::Plan};
+use super::{
+    counted::{Chip, Counted},
+    picture::Picture,
+    timing::Plan,
+};
 
 /// A question of accuracy against cost. Each has a file of its own and an entry in the list of all of them.
 pub trait Axis {
@@ -67,8 +71,8 @@ pub struct Entry {
     pub memory_bytes: usize,
     /// On this host; nothing where it was not timed.
     pub time: Option<super::timing::Spread>,
-    /// On the emulated Cortex-M4; nothing where it was not counted.
-    pub instructions: Option<f64>,
+    /// On the emulated chips.
+    pub chip: Chip,
     pub picture: Option<Picture>,
 }
 

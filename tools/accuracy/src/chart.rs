@@ -20,6 +20,8 @@ const FRONT: RGBColor = RGBColor(20, 90, 170);
 const GRID: RGBColor = RGBColor(226, 226, 226);
 /// About the width and height of a character of a label.
 const CHARACTER: (i32, i32) = (7, 15);
+/// By how much the radius of a mark grows with its memory, at most.
+const MOST_GROWTH: f64 = 12.0;
 /// Pixels around the plot: left, top, right, bottom.
 const MARGINS: (i32, i32, i32, i32) = (66, 38, 20, 54);
 
@@ -93,8 +95,13 @@ impl Chart {
             .y_label_area_size(left)
             .build_cartesian_2d(costs.clone().log_scale(), errors.clone().log_scale())?;
         let middle = ((SIZE.0 as i32 + left - right) / 2, (SIZE.1 as i32 + top - bottom) / 2);
-        let title = text(17, 1.0, HPos::Center, VPos::Center);
-        area.draw_text(&self.title, &title, (middle.0, top / 2))?;
+        // To the right of it is what the sizes of marks mean, where they mean something.
+        let (horizontal, title_x) = match self.memory {
+            Some(_) => (HPos::Left, left),
+            None => (HPos::Center, middle.0),
+        };
+        let title = text(17, 1.0, horizontal, VPos::Center);
+        area.draw_text(&self.title, &title, (title_x, top / 2))?;
         let caption = text(15, 1.0, HPos::Center, VPos::Bottom);
         area.draw_text(&self.cost, &caption, (middle.0, SIZE.1 as i32 - 6))?;
         let turned = text(15, 1.0, HPos::Center, VPos::Top).transform(FontTransform::Rotate270);
@@ -142,10 +149,10 @@ impl Chart {
             .collect();
         for mark in &self.marks {
             let (x, y) = at(mark);
-            taken.push(LabelBox::around((x, y), radius(mark.memory_bytes)));
+            taken.push(LabelBox::around((x, y), self.radius(mark.memory_bytes)));
             taken.extend(spread(mark).map(|[low, high]| LabelBox::between((low, y - 3), (high, y + 3))));
         }
-        taken.extend(self.draw_sizes(area)?);
+        self.draw_sizes(area)?;
         // Those that matter last, over the others; their labels first, in the best places.
         let mut order: Vec<usize> = (0..self.marks.len()).collect();
         order.sort_by_key(|&index| !dominated[index]);
@@ -155,7 +162,7 @@ impl Chart {
             let (x, y) = at(mark);
             area.draw(&Circle::new(
                 (x, y),
-                radius(mark.memory_bytes),
+                self.radius(mark.memory_bytes),
                 color.mix(strength).filled(),
             ))?;
             if let Some(ends) = spread(mark) {
@@ -164,7 +171,7 @@ impl Chart {
         }
         for &index in order.iter().rev() {
             let mark = &self.marks[index];
-            let (center, radius) = (at(mark), radius(mark.memory_bytes));
+            let (center, radius) = (at(mark), self.radius(mark.memory_bytes));
             let label_box = LabelBox::free_near(center, radius, &mark.name, &taken);
             taken.push(label_box);
             let strength = if dominated[index] { 0.6 } else { 1.0 };
@@ -183,12 +190,12 @@ impl Chart {
         Ok(())
     }
 
-    /// What the sizes of marks mean, below the title; returns where.
+    /// What the sizes of marks mean, beside the title.
     fn draw_sizes<B: DrawingBackend>(
         &self,
         area: &DrawingArea<B, Shift>,
-    ) -> Result<Option<LabelBox>, DrawingAreaErrorKind<B::ErrorType>> {
-        let Some(memory) = self.memory else { return Ok(None) };
+    ) -> Result<(), DrawingAreaErrorKind<B::ErrorType>> {
+        let Some(memory) = self.memory else { return Ok(()) };
         let mut sizes: Vec<usize> = self.marks.iter().map(|mark| mark.memory_bytes).collect();
         sizes.sort_unstable();
         sizes.dedup();
@@ -196,23 +203,20 @@ impl Chart {
         let mut shown = vec![0, sizes.len() / 2, sizes.len() - 1];
         shown.dedup();
         let right = SIZE.0 as i32 - MARGINS.2 - 4;
-        let (mut x, y) = (right, MARGINS.1 + 14);
+        let (mut x, y) = (right, MARGINS.1 / 2);
         let style = text(12, 0.8, HPos::Right, VPos::Center);
         for index in shown.into_iter().rev() {
             let label = sizes[index].to_string();
             area.draw_text(&label, &style, (x, y))?;
-            x -= label.len() as i32 * CHARACTER.0 + 2 + radius(sizes[index]);
-            area.draw(&Circle::new((x, y), radius(sizes[index]), BLACK.mix(0.22).filled()))?;
-            x -= radius(sizes[index]) + 10;
+            x -= label.len() as i32 * CHARACTER.0 + 2 + self.radius(sizes[index]);
+            area.draw(&Circle::new(
+                (x, y),
+                self.radius(sizes[index]),
+                BLACK.mix(0.22).filled(),
+            ))?;
+            x -= self.radius(sizes[index]) + 10;
         }
-        area.draw_text(memory, &style, (x, y))?;
-        x -= memory.len() as i32 * CHARACTER.0;
-        Ok(Some(LabelBox {
-            left: x,
-            top: MARGINS.1,
-            width: right - x,
-            height: 28,
-        }))
+        area.draw_text(memory, &style, (x, y))
     }
 
     /// Along the methods that none dominates.
@@ -222,6 +226,18 @@ impl Chart {
         front.sort_by(|a, b| a.0.total_cmp(&b.0));
         let steps = front.windows(2).flat_map(|pair| [pair[0], (pair[1].0, pair[0].1)]);
         steps.chain(front.last().copied()).collect()
+    }
+
+    /// The area of a mark grows with its memory, up to the greatest of the chart.
+    fn radius(&self, memory_bytes: usize) -> i32 {
+        let greatest = self
+            .marks
+            .iter()
+            .map(|mark| mark.memory_bytes)
+            .max()
+            .unwrap_or_default();
+        let scale = (greatest as f64 / MOST_GROWTH.powi(2)).max(8.0);
+        4 + (memory_bytes as f64 / scale).sqrt() as i32
     }
 
     /// What errors of 0 are drawn as.
@@ -242,11 +258,6 @@ fn range(numbers: impl Iterator<Item = f64>, below: f64, above: f64) -> std::ops
         (low.min(number), high.max(number))
     });
     low / below..high * above
-}
-
-/// The area of a mark grows with its memory.
-fn radius(memory_bytes: usize) -> i32 {
-    4 + (memory_bytes as f64 / 8.0).sqrt().min(14.0) as i32
 }
 
 /// A bar with ends.

@@ -4,6 +4,7 @@ use zrow_methods::{CIRCLE_CENTER, CIRCLE_SIZE, CircleMethod, DISCS, OUTLINES, TI
 
 use super::{
     axis::{Axis, Chapter, Context, Entry},
+    counted::Chip,
     errors::Errors,
     picture::Picture,
     timing::{Spread, Work, interleaved},
@@ -96,13 +97,13 @@ impl Group {
         });
         let times = interleaved(works.collect(), context.plan);
         let entries = self.methods.iter().zip(times).map(|(method, time)| {
-            let instructions = context.counted.get(&self.count_name(method));
-            self.entry(method, time, instructions)
+            let chip = context.counted.get(&self.count_name(method));
+            self.entry(method, time, chip)
         });
         entries.collect()
     }
 
-    fn entry(&self, method: &CircleMethod, time: Spread, instructions: Option<f64>) -> Entry {
+    fn entry(&self, method: &CircleMethod, time: Spread, chip: Chip) -> Entry {
         let mut errors = Errors::default();
         for radius in RADII {
             errors.add_all(&(self.errors)(radius, &greys(method, radius)));
@@ -113,7 +114,7 @@ impl Group {
             figures: vec![errors.rms(), errors.max(), errors.count() as f64],
             memory_bytes: 0,
             time: Some(time),
-            instructions,
+            chip,
             picture: Some(self.picture(method)),
         }
     }

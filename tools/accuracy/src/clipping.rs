@@ -164,7 +164,7 @@ impl Method {
             ],
             memory_bytes: 0,
             time: Some(time),
-            instructions: context.counted.get(&self.count_name()),
+            chip: context.counted.get(&self.count_name()),
             picture: Some(Picture::of_difference(&worst.0, &worst.1, caption)),
         })
     }

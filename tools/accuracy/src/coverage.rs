@@ -4,6 +4,7 @@ use zrow_methods::{Class, Input, METHODS, Method, SHAPES, SIZE, Shape};
 
 use super::{
     axis::{Axis, Chapter, Context, Entry},
+    counted::Chip,
     errors::Errors,
     picture::Picture,
     reference,
@@ -28,7 +29,7 @@ struct Inputs {
 struct Run {
     errors: Errors,
     time: Spread,
-    instructions: Option<f64>,
+    chip: Chip,
 }
 
 impl Axis for Coverage {
@@ -120,7 +121,7 @@ impl Inputs {
         let runs = METHODS.iter().zip(times).map(|(method, time)| Run {
             errors: self.errors(method),
             time,
-            instructions: context.counted.get(&count_name(self.class, method)),
+            chip: context.counted.get(&count_name(self.class, method)),
         });
         runs.collect()
     }
@@ -151,11 +152,11 @@ impl Run {
         let mut errors = Errors::default();
         runs.iter().for_each(|run| errors.add_all(&run.errors));
         let times: Vec<_> = runs.iter().map(|run| run.time).collect();
-        let instructions: Option<Vec<f64>> = runs.iter().map(|run| run.instructions).collect();
+        let chips: Vec<_> = runs.iter().map(|run| run.chip).collect();
         Some(Self {
             errors,
             time: Spread::mean(&times)?,
-            instructions: instructions.map(|counts| counts.iter().sum::<f64>() / counts.len() as f64),
+            chip: Chip::mean(&chips),
         })
     }
 
@@ -172,7 +173,7 @@ impl Run {
             ],
             memory_bytes: (method.bytes_per_row)(SIZE),
             time: Some(self.time),
-            instructions: self.instructions,
+            chip: self.chip,
             picture,
         }
     }

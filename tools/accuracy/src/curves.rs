@@ -5,6 +5,7 @@ use zrow_methods::{CURVE_SCREEN, CURVE_SIBLINGS, CURVES, CurveInput, CurveSiblin
 
 use super::{
     axis::{Axis, Chapter, Context, Entry},
+    counted::Chip,
     errors::Errors,
     picture::Picture,
     timing::{Spread, Work, interleaved},
@@ -46,8 +47,8 @@ impl Axis for Curves {
         });
         let times = interleaved(works.collect(), context.plan);
         let entries = methods().zip(times).map(|(method, time)| {
-            let instructions = context.counted.get(&method.count_name());
-            method.entry(&inputs, time, instructions)
+            let chip = context.counted.get(&method.count_name());
+            method.entry(&inputs, time, chip)
         });
         Ok(Chapter {
             name: self.name(),
@@ -84,7 +85,7 @@ impl Method {
         U8F8::from_bits(self.tolerance.units)
     }
 
-    fn entry(self, inputs: &[CurveInput], time: Spread, instructions: Option<f64>) -> Entry {
+    fn entry(self, inputs: &[CurveInput], time: Spread, chip: Chip) -> Entry {
         let mut distances = Errors::default();
         let mut lines = 0;
         for input in inputs {
@@ -102,7 +103,7 @@ impl Method {
             figures: vec![distances.max(), distances.rms(), lines as f64 / inputs.len() as f64],
             memory_bytes: 0,
             time: Some(time),
-            instructions,
+            chip,
             picture: inputs.first().map(|input| self.picture(input)),
         }
     }

@@ -12,6 +12,10 @@ pub enum Cost {
     Time,
     /// Instructions on the emulated chip.
     Instructions,
+    /// Estimated cycles of them.
+    Cycles,
+    /// Bytes of a program.
+    Flash,
 }
 
 impl Cost {
@@ -19,7 +23,9 @@ impl Cost {
     pub fn of(self, entry: &Entry) -> Option<f64> {
         match self {
             Self::Time => entry.time.map(|time| time.median),
-            Self::Instructions => entry.instructions,
+            Self::Instructions => entry.chip.instructions,
+            Self::Cycles => entry.chip.cycles,
+            Self::Flash => entry.chip.flash_bytes,
         }
     }
 
@@ -28,6 +34,8 @@ impl Cost {
         match self {
             Self::Time => "ns",
             Self::Instructions => "instructions",
+            Self::Cycles => "cycles",
+            Self::Flash => "flash",
         }
     }
 
@@ -35,14 +43,16 @@ impl Cost {
         match self {
             Self::Time => format!("nanoseconds for {operation} on this host"),
             Self::Instructions => format!("instructions for {operation} on an emulated Cortex-M4"),
+            Self::Cycles => format!("estimated cycles for {operation} on a Cortex-M4"),
+            Self::Flash => "bytes of flash".to_owned(),
         }
     }
 }
 
-/// The charts of a group, one for each cost that at least one entry has.
+/// The charts of a group, one for each cost that entries have: of flash, more than one, because it says little by itself.
 pub fn charts(chapter: &Chapter, group: &str) -> Vec<(Cost, Chart)> {
     let entries = chapter.of_group(group);
-    let charts = [Cost::Time, Cost::Instructions].map(|cost| {
+    let charts = [Cost::Time, Cost::Instructions, Cost::Cycles, Cost::Flash].map(|cost| {
         let marks: Vec<_> = entries.iter().filter_map(|entry| mark(entry, cost)).collect();
         let chart = Chart {
             title: format!("{}, {group}", chapter.name.replace('_', "-")),
@@ -55,7 +65,7 @@ pub fn charts(chapter: &Chapter, group: &str) -> Vec<(Cost, Chart)> {
     });
     charts
         .into_iter()
-        .filter(|(_, chart)| !chart.marks.is_empty())
+        .filter(|(cost, chart)| chart.marks.len() > usize::from(*cost == Cost::Flash))
         .collect()
 }
 

@@ -4,6 +4,7 @@ use zrow_methods::{LINE_GROUPS, LINE_SIBLINGS, Line, LineGroup, LineSibling, UPR
 
 use super::{
     axis::{Axis, Chapter, Context, Entry},
+    counted::Chip,
     errors::Errors,
     exact_line::{ExactLine, differing},
     picture::Picture,
@@ -72,13 +73,13 @@ fn entries(group: &LineGroup, context: &Context<'_>) -> Vec<Entry> {
     let entries = LINE_SIBLINGS.iter().zip(times);
     entries
         .map(|(sibling, time)| {
-            let instructions = context.counted.get(&count_name(group, sibling));
-            entry(group, sibling, &lines, time, instructions)
+            let chip = context.counted.get(&count_name(group, sibling));
+            entry(group, sibling, &lines, time, chip)
         })
         .collect()
 }
 
-fn entry(group: &LineGroup, sibling: &LineSibling, lines: &[Line], time: Spread, instructions: Option<f64>) -> Entry {
+fn entry(group: &LineGroup, sibling: &LineSibling, lines: &[Line], time: Spread, chip: Chip) -> Entry {
     let (mut all, mut wrong) = (0, 0);
     let (mut displacements, mut beyond_nearest) = (Errors::default(), Errors::default());
     for line in lines {
@@ -106,7 +107,7 @@ fn entry(group: &LineGroup, sibling: &LineSibling, lines: &[Line], time: Spread,
         ],
         memory_bytes: 0,
         time: Some(time),
-        instructions,
+        chip,
         picture: Some(picture(sibling, lines)),
     }
 }
@@ -157,7 +158,7 @@ mod tests {
         let time = Spread::default();
         let beyond = |name: &str| {
             let sibling = LINE_SIBLINGS.iter().find(|sibling| sibling.name == name).unwrap();
-            entry(&LINE_GROUPS[0], sibling, &lines, time, None).figures[1]
+            entry(&LINE_GROUPS[0], sibling, &lines, time, Chip::default()).figures[1]
         };
         assert!(beyond("bresenham") < 1e-6);
         // A cell that the line touches in its corner is a pixel beyond.

@@ -2,7 +2,8 @@
 //!
 //! A question is an [`Axis`](axis::Axis): one file, and one entry in [`AXES`]. A method of antialiasing is one entry in
 //! [`zrow_methods::METHODS`], which the emulated chip counts as well; the same is true of ways to walk a line, to draw a
-//! circle and to flatten a curve. Another rasterizer is one entry in `tools/bench`.
+//! circle and to flatten a curve, of looks on small scenes in 3D and of ways to a sine. Another rasterizer is one entry in
+//! `tools/bench`.
 
 mod axis;
 mod chart;
@@ -11,19 +12,26 @@ mod clipping;
 mod counted;
 mod coverage;
 mod curves;
+mod depth_width;
 mod errors;
 mod exact_line;
+mod exact_space;
 mod figures;
 mod host;
 mod lines;
+mod matrix_format;
 mod page;
 mod pareto;
+mod perspective;
 mod picture;
+mod positions;
 mod rasterizers;
 mod reference;
+mod space;
 mod sub_pixel;
 mod tables;
 mod timing;
+mod trigonometry;
 
 use std::{
     fs,
@@ -47,6 +55,11 @@ const AXES: &[&dyn Axis] = &[
     &lines::Lines,
     &circles::Circles,
     &curves::Curves,
+    &depth_width::DepthWidth,
+    &positions::Positions,
+    &matrix_format::MatrixFormat,
+    &perspective::Perspective,
+    &trigonometry::Trigonometry,
     &rasterizers::Rasterizers,
 ];
 
@@ -156,7 +169,7 @@ mod tests {
             let counts = axis.counts();
             assert!(!counts.is_empty(), "{}", axis.name());
             for name in counts {
-                assert!(zrow_measure::has_count(&name), "{}: {name}", axis.name());
+                assert!(zrow_measure::has_figure(&name), "{}: {name}", axis.name());
             }
         }
     }

@@ -143,14 +143,19 @@ fn add_table(page: &mut String, chapter: &Chapter, entries: &[&Entry]) -> anyhow
     }
     write!(
         page,
-        "<th>ns for {0}</th><th>middle half of {1} rounds</th><th>instructions for {0}</th>",
+        "<th>ns for {0}</th><th>middle half of {1} rounds</th><th>instructions for {0}</th><th>cycles for {0}</th>{2}",
         escaped(chapter.operation),
         entries
             .iter()
             .filter_map(|entry| entry.time)
             .map(|time| time.rounds)
             .max()
-            .unwrap_or_default()
+            .unwrap_or_default(),
+        if has_flash(chapter) {
+            "<th>bytes of flash</th>"
+        } else {
+            ""
+        }
     )?;
     let pictures = entries.iter().any(|entry| entry.picture.is_some());
     *page += if pictures {
@@ -165,6 +170,11 @@ fn add_table(page: &mut String, chapter: &Chapter, entries: &[&Entry]) -> anyhow
     }
     *page += "</table>\n";
     Ok(())
+}
+
+/// Whether the flash of an entry was measured.
+fn has_flash(chapter: &Chapter) -> bool {
+    chapter.entries.iter().any(|entry| entry.chip.flash_bytes.is_some())
 }
 
 /// What has no cost is not held against the others; where none has, it is time that decides.
@@ -212,8 +222,16 @@ fn add_row(
         page,
         "<td class=\"cost{}\">{}</td>",
         class(by_instructions),
-        entry.instructions.map(digits).unwrap_or_default()
+        entry.chip.instructions.map(digits).unwrap_or_default()
     )?;
+    write!(page, "<td>{}</td>", entry.chip.cycles.map(digits).unwrap_or_default())?;
+    if has_flash(chapter) {
+        write!(
+            page,
+            "<td>{}</td>",
+            entry.chip.flash_bytes.map(digits).unwrap_or_default()
+        )?;
+    }
     if let Some(picture) = &entry.picture {
         write!(
             page,

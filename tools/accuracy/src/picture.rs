@@ -61,6 +61,17 @@ impl Picture {
         }
     }
 
+    /// Errors up to 255 of the pixels of a square.
+    pub fn of_errors(errors: &[f64], size: usize, caption: String) -> Self {
+        let image = RgbImage::from_fn(size as u32, size as u32, |x, y| {
+            tint(errors[y as usize * size + x as usize])
+        });
+        Self {
+            panels: vec![Panel::Pixels(image)],
+            caption,
+        }
+    }
+
     /// Pixels that are drawn, and those that should be.
     pub fn of_pixels(drawn: &[(i32, i32)], right: &[(i32, i32)], (width, height): (u32, u32), caption: String) -> Self {
         let mut image = RgbImage::from_pixel(width, height, PAPER);

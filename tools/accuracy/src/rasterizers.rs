@@ -152,7 +152,9 @@ fn entries_of(
             figures: vec![errors.rms(), errors.max()],
             memory_bytes: 0,
             time: Some(timed.spread()),
-            instructions: variant.and_then(|variant| context.counted.get(&count_name(figure, size, variant))),
+            chip: variant
+                .map(|variant| context.counted.get(&count_name(figure, size, variant)))
+                .unwrap_or_default(),
             picture: Some(Picture::of_coverage_in(size as usize, &shape, &exact, &mask)),
         })
     });
@@ -248,7 +250,7 @@ fn summaries(entries: &[Entry]) -> Vec<Summary> {
         summary(
             "Instructions by the fewest of another one, on the emulated Cortex-M4",
             entries,
-            |entry, group| ratio(entry, group, |entry| entry.instructions),
+            |entry, group| ratio(entry, group, |entry| entry.chip.instructions),
         ),
         summary("Root mean square error in 1/255", entries, |entry, _| Cell {
             text: format!("{:.2}", entry.error()),
@@ -295,6 +297,7 @@ fn ratio(entry: &Entry, group: &[Entry], cost: impl Fn(&Entry) -> Option<f64>) -
 
 #[cfg(test)]
 mod tests {
+    use super::super::counted::Chip;
     use super::*;
 
     fn entry(method: &str, ns: f64, instructions: Option<f64>) -> Entry {
@@ -307,7 +310,10 @@ mod tests {
                 median: ns,
                 ..Spread::default()
             }),
-            instructions,
+            chip: Chip {
+                instructions,
+                ..Chip::default()
+            },
             picture: None,
         }
     }

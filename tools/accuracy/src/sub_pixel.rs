@@ -85,7 +85,7 @@ fn class_entries(class: Class, context: &Context<'_>) -> anyhow::Result<Vec<Entr
             figures: vec![errors.rms(), errors.max()],
             memory_bytes: 0,
             time: Some(time),
-            instructions: context.counted.get(&count_name(class, precision)),
+            chip: context.counted.get(&count_name(class, precision)),
             picture: Some(picture(&shapes[0], &right[0], &areas[0])),
         }
     });

@@ -38,7 +38,7 @@ fn coverage_row(entry: &Entry) -> Vec<String> {
         figure(1).unwrap_or_default(),
         entry.memory_bytes.to_string(),
         number(entry.time.map(|time| time.median)),
-        number(entry.instructions),
+        number(entry.chip.instructions),
     ]
 }
 
@@ -46,7 +46,15 @@ fn whole(chapter: &Chapter) -> anyhow::Result<Vec<u8>> {
     let mut columns = vec!["group", "method"];
     columns.extend(&chapter.figures);
     columns.extend(chapter.memory);
-    columns.extend(["ns", "ns lower quartile", "ns upper quartile", "rounds", "instructions"]);
+    columns.extend([
+        "ns",
+        "ns lower quartile",
+        "ns upper quartile",
+        "rounds",
+        "instructions",
+        "cycles",
+        "flash bytes",
+    ]);
     let rows = chapter.entries.iter().map(|entry| {
         let mut row = vec![entry.group.clone(), entry.method.clone()];
         row.extend(entry.figures.iter().map(|figure| format!("{figure:.4}")));
@@ -56,7 +64,9 @@ fn whole(chapter: &Chapter) -> anyhow::Result<Vec<u8>> {
             number(entry.time.map(|time| time.low)),
             number(entry.time.map(|time| time.high)),
             entry.time.map(|time| time.rounds.to_string()).unwrap_or_default(),
-            number(entry.instructions),
+            number(entry.chip.instructions),
+            number(entry.chip.cycles),
+            number(entry.chip.flash_bytes),
         ]);
         row
     });

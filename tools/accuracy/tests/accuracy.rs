@@ -1,10 +1,19 @@
 //! The command `accuracy`, as it is called.
 
-use std::{collections::HashMap, env, fs, path::PathBuf, process::Command};
+use std::{
+    collections::HashMap,
+    env, fs,
+    path::PathBuf,
+    process::Command,
+    sync::atomic::{AtomicUsize, Ordering},
+};
 
 /// Runs it quickly into a folder of its own; returns that.
 fn run(axis: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("accuracy-{axis}"));
+    // Tests run at once.
+    static RUNS: AtomicUsize = AtomicUsize::new(0);
+    let run = RUNS.fetch_add(1, Ordering::Relaxed);
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("accuracy-{axis}-{run}"));
     let _ = fs::remove_dir_all(&folder);
     let output = Command::new(env!("CARGO_BIN_EXE_zrow-accuracy"))
         .args(["--quick", "--only", axis, "--output"])
@@ -88,7 +97,17 @@ fn a_quick_run_leaves_other_rasterizers_out_and_says_so() {
 
 #[test]
 fn every_other_axis_times_every_method() {
-    for axis in ["sub_pixel", "lines", "circles", "curves"] {
+    for axis in [
+        "sub_pixel",
+        "lines",
+        "circles",
+        "curves",
+        "depth_width",
+        "positions",
+        "matrix_format",
+        "perspective",
+        "trigonometry",
+    ] {
         let folder = run(axis);
         let mut reader = csv::Reader::from_path(folder.join(format!("{axis}.csv"))).unwrap();
         let ns = reader.headers().unwrap().iter().position(|name| name == "ns").unwrap();
@@ -98,4 +117,55 @@ fn every_other_axis_times_every_method() {
             assert!(row[ns].parse::<f64>().unwrap() > 0.0, "{axis}: {row:?}");
         }
     }
+}
+
+/// The figures of a table by group and method.
+fn figures(axis: &str, column: usize) -> HashMap<(String, String), f64> {
+    let mut reader = csv::Reader::from_path(run(axis).join(format!("{axis}.csv"))).unwrap();
+    let rows = reader.records().map(Result::unwrap);
+    rows.map(|row| {
+        let figure = row[2 + column].parse().unwrap();
+        ((row[0].to_owned(), row[1].to_owned()), figure)
+    })
+    .collect()
+}
+
+fn of(figures: &HashMap<(String, String), f64>, group: &str, method: &str) -> f64 {
+    figures[&(group.to_owned(), method.to_owned())]
+}
+
+/// A depth of 16 bits is z * z / (65,535 near) of space; corners at 1/16 px are within half of that in both directions, so
+/// sqrt(2) * 8 / 256 px, and a matrix in 2.14 adds what half of 2^-14 makes of 20,000 units.
+#[test]
+fn formats_in_space_have_the_errors_that_follow_from_their_bits() {
+    let misordered = figures("depth_width", 0);
+    let close = |method| of(&misordered, "faces 2 to 16 units apart", method);
+    assert!(close("u16, near 8") > 5.0);
+    assert!(close("u16, near 128") < 0.05 && close("u32, near 8") < 0.01);
+
+    let corners = figures("positions", 1);
+    assert!((8.0..13.0).contains(&of(&corners, "at 300 units", "1/16 px")));
+    assert!((0.4..0.8).contains(&of(&corners, "at 300 units", "1/256 px")));
+
+    let far = figures("matrix_format", 0);
+    let (group, finest) = ("20,000 from the origin, at 150", "2.30, 1/256 px");
+    // Up to 1.06 units of space, 96 / 120 px a unit: at most 0.85 px, and seldom all of that.
+    assert!((80.0..230.0).contains(&of(&far, group, "2.14, 1/16 px")));
+    assert!(of(&far, group, "8.24, 1/16 px") < 13.0 && of(&far, group, finest) < 1.0);
+}
+
+#[test]
+fn texels_are_exact_where_they_are_divided() {
+    let texels = figures("perspective", 0);
+    let error = |method| of(&texels, "depths 1 to 2", method);
+    assert!(error("affine") > 5.0 && (0.2..4.0).contains(&error("every 16 px")) && error("every px") < 0.03);
+}
+
+#[test]
+fn sines_have_the_errors_of_their_numbers() {
+    let millionths = figures("trigonometry", 0);
+    let error = |method| of(&millionths, "all angles", method);
+    // 2^-27; a step of 1/512 turn; micromath's own documentation has 0.2 %.
+    assert!(error("zrow's polynomial") < 0.0075 && error("table of 129") > 6_000.0);
+    assert!((500.0..2_000.0).contains(&error("micromath, f32")));
 }

@@ -2,7 +2,11 @@
 
 use zrow_methods::{
     CURVE_SIBLINGS, Class, DISCS, FIGURE_SIZES, Figure, LINE_GROUPS, LINE_SIBLINGS, METHODS, OUTLINES, PRECISIONS,
-    TOLERANCES,
+    TOLERANCES, TRIGONOMETRY, TRIGONOMETRY_COUNT,
+    space::{
+        DEPTH_GROUPS, DEPTH_WIDTHS, MATRIX_FORMATS, MATRIX_GROUPS, PERSPECTIVE_GROUPS, PERSPECTIVES, POSITION_GROUPS,
+        POSITIONS,
+    },
 };
 
 use crate::case::{Case, RASTERIZER_VARIANTS, V7EM};
@@ -36,7 +40,21 @@ pub fn report_cases() -> impl Iterator<Item = Case> {
         .chain(methods);
     let zrow = zrow.map(|(count, variant)| Case::sibling("accuracy", count, count, V7EM, variant, None));
     let peers = pairs(figure_counts(), &RASTERIZER_VARIANTS);
-    zrow.chain(peers.map(|(count, variant)| Case::rasterizer(count, variant)))
+    zrow.chain(in_space())
+        .chain(peers.map(|(count, variant)| Case::rasterizer(count, variant)))
+}
+
+/// Formats of numbers in 3D on small scenes, sines and cosines, and the flash of the latter.
+fn in_space() -> impl Iterator<Item = Case> {
+    let scenes = pairs(DEPTH_GROUPS, DEPTH_WIDTHS)
+        .chain(pairs(POSITION_GROUPS, POSITIONS))
+        .chain(pairs(MATRIX_GROUPS, MATRIX_FORMATS))
+        .chain(pairs(PERSPECTIVE_GROUPS, PERSPECTIVES))
+        .map(|(group, method)| (group.count, method.variant));
+    let sines = TRIGONOMETRY.iter().map(|method| (TRIGONOMETRY_COUNT, method.variant));
+    let counts = scenes.chain(sines);
+    let counts = counts.map(|(count, variant)| Case::sibling("formats", count, count, V7EM, variant, None));
+    counts.chain(TRIGONOMETRY.iter().map(|method| Case::sibling_flash(method.variant)))
 }
 
 fn figure_counts() -> impl Iterator<Item = &'static str> {

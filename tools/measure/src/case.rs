@@ -183,6 +183,11 @@ impl Case {
         matches!(self.source, Source::Count { .. }) && [V7EM, V7EM_HARD_FLOAT].contains(&self.target)
     }
 
+    /// Whether it is what a program takes.
+    pub fn is_memory(&self) -> bool {
+        matches!(self.source, Source::Memory { .. })
+    }
+
     /// What it counts.
     pub fn unit(&self) -> &'static str {
         match self.source {

@@ -89,31 +89,51 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Instructions per operation on the emulated Cortex-M4, by the names that this command prints. What has no such name is
-/// not there.
+/// What the accuracy report takes over of a figure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Instructions of an operation on the emulated Cortex-M4, or bytes of a program.
+    pub figure: f64,
+    /// Estimated cycles of an operation; none where QEMU takes no plugin.
+    pub cycles: Option<f64>,
+}
+
+/// Figures by the names that this command prints: instructions and cycles of operations on the emulated Cortex-M4, and bytes of
+/// programs. What has no such name is not there.
 ///
 /// # Errors
 ///
 /// A tool is missing, a firmware does not build or run, or a count is void.
-pub fn instructions(names: &[String]) -> anyhow::Result<HashMap<String, f64>> {
-    let mut cases = cases::all();
-    cases.extend(accuracy::report_cases());
-    cases.retain(|case| case.is_count_on_m4() && names.contains(&case.name));
-    let counts = measure(&cases, None)?;
+pub fn figures(names: &[String]) -> anyhow::Result<HashMap<String, Measured>> {
+    let cases: Vec<_> = report_cases().filter(|case| names.contains(&case.name)).collect();
+    let counts = match firmware::plugin().and_then(|plugin| measure(&cases, Some(&plugin))) {
+        Ok(counts) => counts,
+        // A newer QEMU takes no such plugin: instructions alone.
+        Err(_) => measure(&cases, None)?,
+    };
     let figures = cases.iter().map(|case| {
         let figure = case.figure(&counts)?;
+        let (zrow, cycles) = (figure.zrow, figure.cycles);
         match figure.void_reason() {
             Some(why) => bail!("void: {why}"),
-            None => Ok((case.name.clone(), figure.zrow)),
+            None => Ok((case.name.clone(), Measured { figure: zrow, cycles })),
         }
     });
     figures.collect()
 }
 
-/// Whether there is such a count on the emulated Cortex-M4.
-pub fn has_count(name: &str) -> bool {
-    let mut cases = cases::all().into_iter().chain(accuracy::report_cases());
-    cases.any(|case| case.is_count_on_m4() && case.name == name)
+/// Whether there is such a figure.
+pub fn has_figure(name: &str) -> bool {
+    report_cases().any(|case| case.name == name)
+}
+
+/// What the accuracy report can ask for.
+fn report_cases() -> impl Iterator<Item = Case> {
+    let cases = cases::all()
+        .into_iter()
+        .chain(accuracy::report_cases())
+        .chain(effects::cases());
+    cases.filter(|case| case.is_count_on_m4() || case.is_memory())
 }
 
 /// Builds and runs every firmware that some case needs, once, with the plugin that estimates cycles if there is one.

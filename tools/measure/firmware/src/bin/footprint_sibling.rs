@@ -48,6 +48,7 @@ fn main() -> ! {
     samples();
     strokes();
     paints();
+    sines();
     stack::report(0);
     report::exit(true)
 }
@@ -420,4 +421,16 @@ fn painted(draw: impl FnOnce(&mut Band<'_, Rgb565>) -> Option<()>) -> Option<u16
     let mut band = Band::<Rgb565>::new(AREA, &mut words).ok()?;
     draw(&mut band)?;
     words.first().copied()
+}
+
+/// Sine and cosine of an angle.
+fn sines() {
+    macro_rules! sine {
+        ($([$variant:ident] [$($function:tt)+] $name:literal, $bytes:literal;)+) => {$(
+            if const { content::is(stringify!($variant)) } {
+                black_box($($function)+(black_box(0)));
+            }
+        )+};
+    }
+    zrow_methods::trigonometry!(sine);
 }
