@@ -4,6 +4,7 @@
 //! down the picture, and a [`Sink`] takes each band towards the display.
 
 mod blending;
+mod dithering;
 mod fill;
 mod multisampling;
 mod pack;
@@ -16,7 +17,9 @@ pub use crate::surface::{BandColor, Generic, Order, Span, Target};
 pub use crate::surface::{BigEndian, LittleEndian};
 pub(crate) use blending::InLinearLight;
 pub(crate) use picture_loop::SceneResult;
-pub use picture_loop::{BytesSink, DisplaySink, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling};
+pub use picture_loop::{
+    BytesSink, DisplaySink, Dithered, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
+};
 
 use core::marker::PhantomData;
 

@@ -21,6 +21,10 @@ pub trait ChannelColor: BlendedColor {
     /// Number of channels: 3, or 1 for greys.
     const CHANNELS: usize = if Self::Layout::MIDDLE.bits == 0 { 1 } else { 3 };
 
+    /// The colour with the same channels in 8 bits each, `Rgb888`, `Bgr888` or `Gray8`: that in which a picture is drawn which
+    /// is [dithered](crate::band::Dithered) to this one.
+    type EightBit: ChannelColor;
+
     /// Blends this colour over another one at a pixel. Levels stand for light to the power of `TENTHS / 10`, 10 to 30: 10 mixes
     /// them as they are, as a band does; others mix light, as [`in_linear_light`](crate::band::Band::in_linear_light) does.
     ///
@@ -93,8 +97,10 @@ pub fn blend_words<C: ChannelColor, T: TransferFunction, O: Order>(
 }
 
 macro_rules! channels {
-    ($($layout:ty: $($color:ident),+;)+) => {$($(
-        impl ChannelColor for $color {}
+    ($($layout:ty, $eight_bit:ident: $($color:ident),+;)+) => {$($(
+        impl ChannelColor for $color {
+            type EightBit = $eight_bit;
+        }
 
         impl BlendedColor for $color {
             type Layout = $layout;
@@ -108,16 +114,22 @@ macro_rules! channels {
 }
 
 channels! {
-    Gray<2>: Gray2;
-    Gray<4>: Gray4;
-    Gray<8>: Gray8;
-    Word555: Rgb555, Bgr555;
-    Word565: Rgb565, Bgr565;
-    SixBits: Rgb666, Bgr666;
-    TrueColor: Rgb888, Bgr888;
+    Gray<2>, Gray8: Gray2;
+    Gray<4>, Gray8: Gray4;
+    Gray<8>, Gray8: Gray8;
+    Word555, Rgb888: Rgb555;
+    Word555, Bgr888: Bgr555;
+    Word565, Rgb888: Rgb565;
+    Word565, Bgr888: Bgr565;
+    SixBits, Rgb888: Rgb666;
+    SixBits, Bgr888: Bgr666;
+    TrueColor, Rgb888: Rgb888;
+    TrueColor, Bgr888: Bgr888;
 }
 
-impl ChannelColor for BinaryColor {}
+impl ChannelColor for BinaryColor {
+    type EightBit = Gray8;
+}
 
 impl BlendedColor for BinaryColor {
     type Layout = Gray<1>;

@@ -5,7 +5,7 @@
 //! two shapes that share an edge does not close it: both take their pixels by the same thresholds. A mean counts as an
 //! alpha that is not rounded before.
 //!
-//! Source: Bayer 1973. 64 bytes.
+//! Source: Bayer 1973. 128 bytes.
 
 use embedded_graphics::geometry::Point;
 
@@ -36,20 +36,31 @@ fn takes(column: usize, y: i32, count: u8) -> bool {
         .is_some_and(|&threshold| threshold < count)
 }
 
+/// The thresholds of eight pixels side by side, 0 to 63, beginning at a position of the picture.
+pub(super) fn thresholds_at(left: i32, y: i32) -> &'static [u8; BLOCK] {
+    let row = THRESHOLDS.get((y & 7) as usize);
+    let block = row.and_then(|row| row.get(left as usize & 7..)?.first_chunk());
+    block.unwrap_or(&[0; BLOCK])
+}
+
 /// An alpha as a number of 64 pixels, rounded to the nearest: the division by 255 of Blinn 1994.
 const fn pixels_of_64(alpha: Coverage) -> u8 {
     let sum = (alpha as u32) * 64 + 128;
     ((sum + (sum >> 8)) >> 8) as u8
 }
 
-/// Bayer's threshold matrix: every number below 64 once, neighbours far apart.
-const THRESHOLDS: [[u8; 8]; 8] = thresholds();
+/// Columns, and rows, after which the thresholds repeat.
+pub(super) const BLOCK: usize = 8;
 
-const fn thresholds() -> [[u8; 8]; 8] {
-    let mut rows = [[0; 8]; 8];
+/// Bayer's threshold matrix: every number below 64 once, neighbours far apart. Each row twice, so that eight columns from any
+/// one of the first eight on lie side by side.
+static THRESHOLDS: [[u8; 2 * BLOCK]; BLOCK] = thresholds();
+
+const fn thresholds() -> [[u8; 2 * BLOCK]; BLOCK] {
+    let mut rows = [[0; 2 * BLOCK]; BLOCK];
     let mut position = 0;
-    while position < 64 {
-        let (x, y) = (position % 8, position / 8);
+    while position < BLOCK * BLOCK {
+        let (x, y) = (position % BLOCK, position / BLOCK);
         let (mut threshold, mut bit) = (0, 0);
         while bit < 3 {
             threshold |= ((((x ^ y) >> bit & 1) << 1 | (y >> bit & 1)) << (4 - 2 * bit)) as u8;
@@ -58,6 +69,7 @@ const fn thresholds() -> [[u8; 8]; 8] {
         #[expect(clippy::indexing_slicing, reason = "evaluated by the compiler")]
         {
             rows[y][x] = threshold;
+            rows[y][x + BLOCK] = threshold;
         }
         position += 1;
     }

@@ -9,6 +9,7 @@ mod reference {
 }
 
 mod band;
+mod dithering;
 mod mipidsi;
 mod overlapping_loops;
 mod picture_loop;
