@@ -8,6 +8,7 @@ use crate::{
         effect_cost::{Cost, measured},
         effect_plot,
         page::{parts, read, write},
+        scene_looks,
     },
     effects::EFFECTS,
     report::grouped,
@@ -16,6 +17,8 @@ use crate::{
 const PAGE: &str = "docs/effects.md";
 /// The name of the table in the comment before it.
 const TABLE: &str = "effects";
+/// The name of the table of scenes.
+const LOOKS: &str = "looks";
 const PLOT: &str = "docs/effects.svg";
 
 /// The names of all figures of the page.
@@ -33,7 +36,9 @@ pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
     let costs: Vec<Cost> = costs.collect::<anyhow::Result<_>>()?;
     let page = read(PAGE)?;
     let (before, _, after) = parts(&page, TABLE).context(PAGE)?;
-    write(PAGE, &format!("{before}{}{after}", table(&costs)))?;
+    let page = format!("{before}{}{after}", table(&costs));
+    let (before, _, after) = parts(&page, LOOKS).context(PAGE)?;
+    write(PAGE, &format!("{before}{}{after}", scene_looks::table()))?;
     write(PLOT, &effect_plot::svg(&costs)?)
 }
 
@@ -91,6 +96,14 @@ mod tests {
             effect_plot::svg(&costs)? == read(PLOT)?,
             "run `cargo run --release -- effects`"
         );
+        Ok(())
+    }
+
+    #[test]
+    fn the_table_of_scenes_has_their_looks() -> anyhow::Result<()> {
+        let page = read(PAGE)?;
+        let (_, found, _) = parts(&page, LOOKS)?;
+        assert!(found == scene_looks::table(), "run `cargo run --release -- effects`");
         Ok(())
     }
 

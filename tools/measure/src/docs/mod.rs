@@ -10,6 +10,7 @@ mod effect_plot;
 mod effects;
 mod page;
 mod plot;
+mod scene_looks;
 
 use anyhow::bail;
 
