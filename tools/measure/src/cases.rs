@@ -318,6 +318,7 @@ const LOOKS: &[(&str, &str)] = &[
     ("look.deep", "depths of 32 bits"),
     ("look.fine", "positions at 1/256 pixel"),
     ("look.fine_deep", "positions at 1/256 pixel and depths of 32 bits"),
+    ("look.double_sided", "faces seen from both sides"),
 ];
 
 /// Thirty spheres of which five are seen: what boxes around models save.

@@ -33,8 +33,8 @@ pub const FRAME_NUMBERS: [u32; FRAMES as usize] = {
     numbers
 };
 
-/// Standard scene 1, a torus and a cube within it, in the plainest look or another one.
-pub type Sc1<L = Rgb565> = Stage<SmallTorus, L, 296, 588, 60>;
+/// Standard scene 1, a torus and a cube within it, in the plainest look or another one, with slots for all faces in a row.
+pub type Sc1<L = Rgb565, const ACTIVE: usize = 60> = Stage<SmallTorus, L, 296, 588, ACTIVE>;
 /// Standard scene 1 with a quarter of the slots that it needs: half of its rows are drawn in passes.
 pub type Sc1InPasses = Stage<SmallTorus, Rgb565, 296, 588, 15>;
 /// Standard scene 2: an icosphere.

@@ -5,7 +5,7 @@
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::pixelcolor::Rgb565;
-use zrow::scene::{Deep, Fine, OnePass, Whole};
+use zrow::scene::{Deep, DoubleSided, Fine, OnePass, Whole};
 use zrow_measure_firmware::{
     report,
     run::Runner,
@@ -13,11 +13,11 @@ use zrow_measure_firmware::{
     stopwatch::Stopwatch,
 };
 
-/// Counts a frame of the scene in looks, each in memory of its own.
+/// Counts a frame of the scene in looks, each in memory of its own, with as many slots as are said.
 macro_rules! count {
-    ($runner:ident, $($name:literal: $look:ty),+) => {$(
+    ($runner:ident, $($name:literal: $look:ty $(, $active:literal)?);+) => {$(
         if $runner.wants($name) {
-            let Some(stage) = cortex_m::singleton!(: Sc1<$look> = Sc1::EMPTY) else {
+            let Some(stage) = cortex_m::singleton!(: Sc1<$look $(, $active)?> = Sc1::EMPTY) else {
                 report::exit(false)
             };
             $runner.count($name, "draw", stage, &FRAME_NUMBERS, |stage, &frame| stage.draw(frame));
@@ -35,12 +35,13 @@ fn main() -> ! {
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
     count!(
         runner,
-        "look.plain": Rgb565,
-        "look.whole": Whole<Rgb565>,
-        "look.one_pass": OnePass<Rgb565>,
-        "look.deep": Deep<Rgb565>,
-        "look.fine": Fine<Rgb565>,
-        "look.fine_deep": Fine<Deep<Rgb565>>
+        "look.plain": Rgb565;
+        "look.whole": Whole<Rgb565>;
+        "look.one_pass": OnePass<Rgb565>;
+        "look.deep": Deep<Rgb565>;
+        "look.fine": Fine<Rgb565>;
+        "look.fine_deep": Fine<Deep<Rgb565>>;
+        "look.double_sided": DoubleSided<Rgb565>, 120
     );
     report::exit(true)
 }
