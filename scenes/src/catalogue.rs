@@ -15,6 +15,7 @@ use crate::{
     instruments::{Instruments, Jagged, Replayed},
     line_siblings::LineSiblings,
     oled::Oled,
+    oled_teapot::OledTeapot,
     paints::Paints,
     panes::Panes,
     polygons::Polygons,
@@ -80,4 +81,5 @@ catalogue![
     Sc2,
     Sc3,
     Oled,
+    OledTeapot,
 ];

@@ -43,14 +43,12 @@ type EightBitLayout<C> = <<C as ChannelColor>::EightBit as BlendedColor>::Layout
 /// Dithers the words of a window in place, row by row without gaps. Returns the words of the display's colours, which are the
 /// first ones of the same memory.
 pub(crate) fn dither<C: ChannelColor, O: Order>(words: &mut [EightBitWord<C>], window: Window) -> &mut [C::Word] {
-    let pixels = words.len();
-    let (mut start, mut y) = (0, window.top);
-    // Not for each row of the window, which may have any number of rows without a column.
-    while start < pixels {
-        let end = pixels.min(start + window.width() as usize);
+    let (pixels, width) = (words.len(), window.width() as usize);
+    let mut end = 0;
+    for y in window.top..window.bottom {
+        let start = end;
+        end = pixels.min(start + width);
         dither_row::<C, O>(words, start..end, thresholds_at(window.left, y));
-        start = end;
-        y += 1;
     }
     in_display_words::<C>(words).get_mut(..pixels).unwrap_or_default()
 }
@@ -88,7 +86,10 @@ fn narrow_row<C: ChannelColor, O: Order>(words: &mut [EightBitWord<C>], row: Ran
             // A copy, because other pixels of the block are where this one's colours are written.
             let block = block.copied().unwrap_or_else(|| filled_up(pixels));
             let mut narrowed = [C::Word::ZERO; BLOCK];
-            narrow_block::<C, O>(&block, thresholds, &mut narrowed);
+            for ((narrowed, &word), &threshold) in narrowed.iter_mut().zip(&block).zip(thresholds) {
+                let bits = bits_of::<EightBitLayout<C>>(O::reorder(word));
+                *narrowed = O::reorder(level_word::<EightBitLayout<C>, C::Layout>(bits, threshold));
+            }
             let written = in_display_words::<C>(words).get_mut(start..end).unwrap_or_default();
             match written.first_chunk_mut() {
                 Some(written) => *written = narrowed,
@@ -100,19 +101,6 @@ fn narrow_row<C: ChannelColor, O: Order>(words: &mut [EightBitWord<C>], row: Ran
         }
         last = plain;
         start = end;
-    }
-}
-
-/// Dithers eight pixels, each by its own threshold.
-#[inline(never)]
-fn narrow_block<C: ChannelColor, O: Order>(
-    block: &[EightBitWord<C>; BLOCK],
-    thresholds: &[u8; BLOCK],
-    narrowed: &mut [C::Word; BLOCK],
-) {
-    for ((narrowed, &word), &threshold) in narrowed.iter_mut().zip(block).zip(thresholds) {
-        let bits = bits_of::<EightBitLayout<C>>(O::reorder(word));
-        *narrowed = O::reorder(level_word::<EightBitLayout<C>, C::Layout>(bits, threshold));
     }
 }
 

@@ -48,7 +48,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<shade::RampCase>("shade.ramp", &["shade"]),
     Target::new::<shade::FilterCase>("shade.filter", &["coverage", "shade"]),
     Target::new::<fills::GradientCase>("shade.gradient", &["shade"]),
-    Target::new::<band::MemoryCase>("band.memory", &["band"]),
+    Target::new::<band::MemoryCase>("band.memory", &["band", "shade"]),
     Target::new::<band::LoopCase>("band.picture_loop", &["band"]),
     Target::new::<band::OverlappingCase>("band.overlapping", &["band"]),
     Target::new::<band::SupersamplingCase>("band.supersampling", &["band", "shade"]),

@@ -28,6 +28,7 @@ pub fn all() -> Vec<Case> {
         .chain(instruments())
         .chain(needle())
         .chain(blended())
+        .chain(dithered())
         .chain(PICTURE_MEMORY.iter().map(PictureMemory::case))
         .chain(footprints)
         .chain(families)
@@ -203,6 +204,32 @@ fn blended() -> impl Iterator<Item = Case> {
                     peer: Peer::Sibling(sibling),
                 },
             })
+        })
+    })
+}
+
+/// Frames that are dithered row by row: those in which no pixel is as the one before it, and those of one colour.
+fn dithered() -> impl Iterator<Item = Case> {
+    let frames = [
+        ("dither.rgb565", "RGB888 to RGB565, neighbours differ"),
+        ("dither.rgb565.flat", "RGB888 to RGB565, one colour"),
+        ("dither.gray4", "8-bit to 4-bit grey, neighbours differ"),
+        ("dither.gray4.flat", "8-bit to 4-bit grey, one grey"),
+        ("dither.binary", "8-bit grey to black and white, neighbours differ"),
+    ];
+    [V7EM, V6M].into_iter().flat_map(move |target| {
+        frames.map(|(count, title)| Case {
+            name: count.to_owned(),
+            title: format!("dither 240 x 320, {title}"),
+            target,
+            budget: None,
+            cycles_budget: None,
+            source: Source::Count {
+                firmware: "dither",
+                count,
+                variant: "dither",
+                peer: Peer::None,
+            },
         })
     })
 }

@@ -9,11 +9,13 @@ use embedded_graphics::{
         BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb565, Rgb666, Rgb888,
         raw::{RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24, ToBytes},
     },
+    prelude::PointsIter,
     primitives::Rectangle,
 };
 use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, Order, Target},
     geometry::{TooSmall, Window},
+    shade::ChannelColor,
 };
 
 use crate::{
@@ -21,7 +23,10 @@ use crate::{
     values::{Count, Hue, Int, Spot, Stage},
 };
 
-/// The words and bytes of a band of any size.
+/// The word of the colour that is dithered to another one.
+type Word<C> = <<C as ChannelColor>::EightBit as BandColor>::Word;
+
+/// The words and bytes of a band of any size, and what it is dithered to.
 #[derive(Debug, Arbitrary)]
 pub struct MemoryCase {
     stage: Stage,
@@ -83,6 +88,34 @@ impl MemoryCase {
     }
 }
 
+impl MemoryCase {
+    /// A pixel is dithered by its colour and its position alone: in a band of all pixels, and in one of its own.
+    fn check_dithered<C: ChannelColor, O: Order>(&self, word: impl Fn(u32) -> Word<C>) -> Verdict {
+        let Self { stage, raw, .. } = self;
+        let pixels = stage.pixels();
+        // Runs of one colour, of different lengths.
+        let length = raw[0] as usize % 19 + 1;
+        let words: Vec<_> = (0..pixels)
+            .map(|index| word(raw[index / length % 8].rotate_left((index / length) as u32)))
+            .collect();
+        let mut memory = words.clone();
+        let band = Band::<C::EightBit, O>::new(stage.area(), &mut memory)?.into_dithered::<C>();
+        ensure!(band.window() == stage.window, "another window");
+        for ((position, color), word) in stage.area().points().zip(band.colors()).zip(words) {
+            let mut memory = [word];
+            let pixel = Rectangle::new(position, Size::new_equal(1));
+            let alone = Band::<C::EightBit, O>::new(pixel, &mut memory)?.into_dithered::<C>();
+            let alone = alone.pixel(position).map(C::to_word);
+            ensure!(
+                alone == Some(color.to_word()),
+                "{position:?}: {:?}, not {alone:?}",
+                color.to_word()
+            );
+        }
+        Ok(())
+    }
+}
+
 impl Case for MemoryCase {
     fn check(&self) -> Verdict {
         let Self { stage, .. } = self;
@@ -136,6 +169,11 @@ impl Case for MemoryCase {
                 }
             }
         }
+        self.check_dithered::<Rgb565, LittleEndian>(|raw| raw & 0xff_ffff)?;
+        self.check_dithered::<Rgb565, BigEndian>(|raw| (raw & 0xff_ffff).to_be())?;
+        self.check_dithered::<Rgb666, LittleEndian>(|raw| raw & 0xff_ffff)?;
+        self.check_dithered::<Gray4, LittleEndian>(|raw| raw as u8)?;
+        self.check_dithered::<BinaryColor, LittleEndian>(|raw| raw as u8)?;
         self.check_bytes::<BinaryColor, RawU1, LittleEndian>(0)?;
         self.check_bytes::<Gray2, RawU2, LittleEndian>(0)?;
         self.check_bytes::<Gray4, RawU4, BigEndian>(0)?;

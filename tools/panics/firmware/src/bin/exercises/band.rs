@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use zrow::{
     band::{
-        Band, BandColor, BigEndian, BytesSink, DisplaySink, LittleEndian, LoopError, Order, OverlappingSink,
+        Band, BandColor, BigEndian, BytesSink, DisplaySink, Dithered, LittleEndian, LoopError, Order, OverlappingSink,
         PictureLoop, Sink, Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
@@ -60,6 +60,7 @@ fn band<C: ChannelColor + 'static, O: Order>() {
     keep_all(Band::<C, O>::colors(any()));
     Band::<C, O>::fill(any(), any());
     keep(Band::<C, O>::into_bytes(any()));
+    keep(Band::<C::EightBit, O>::into_dithered::<C>(any()));
     get_pixel::<Band<'_, C, O>>();
 }
 
@@ -135,6 +136,9 @@ fn sinks() {
     sink::<Rgb565, LittleEndian, DisplaySink<'_, Display<Rgb565>>>();
     sink::<BinaryColor, LittleEndian, BytesSink<fn(Rectangle, &[u8]) -> Result<(), Failure>>>();
     sink::<Rgb888, BigEndian, fn(Band<'_, Rgb888, BigEndian>) -> Result<(), Failure>>();
+    keep(Dithered::<Rgb565, _>::new(any::<DisplaySink<'_, Display<Rgb565>>>()));
+    sink::<Rgb888, LittleEndian, Dithered<Rgb565, DisplaySink<'_, Display<Rgb565>>>>();
+    sink::<Gray8, BigEndian, Dithered<Gray4, BytesSink<fn(Rectangle, &[u8]) -> Result<(), Failure>>>>();
 }
 
 #[inline(never)]
