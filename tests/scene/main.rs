@@ -14,6 +14,7 @@ mod cameras;
 mod clipped_faces;
 mod counters;
 mod depth_row;
+mod flight;
 mod fog;
 mod holes;
 mod lighting;
