@@ -19,6 +19,7 @@ const HEIGHT: usize = 40;
 const FRAMES: usize = 1_000;
 /// Frames from one point of the flight to the next.
 const STEPS: usize = 20;
+/// The distance of the near plane: at this one sides of the ring reach beyond the guard band of 1/16 pixel as well.
 const NEAR: i32 = 12;
 /// Units of the colour from one pixel to the next, at most: where a plane is seen nearly edge-on, a pixel has many colours.
 const MOST_STEP: f64 = 16.0;
@@ -113,7 +114,7 @@ fn ray(camera: &Camera, column: usize, row: usize) -> [[f64; 3]; 2] {
     [translation.map(|coordinate| coordinate.to_num::<f64>()), direction]
 }
 
-/// The axis that a face is across, and where its plane is, where it is across one.
+/// The plane of a face, which all three corners share one coordinate of: its axis, and the coordinate.
 fn plane(corners: [[i16; 3]; 3]) -> (usize, i16) {
     let [a, b, c] = corners;
     let axis = (0..3).find(|&axis| a[axis] == b[axis] && b[axis] == c[axis]).unwrap();

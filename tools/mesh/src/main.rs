@@ -9,7 +9,9 @@ use std::{
 use anyhow::{Context, ensure};
 use clap::Parser;
 use zrow_mesh::{
-    mesh::{self, Mesh, Options},
+    convert,
+    levels::MOST_LEVELS,
+    mesh::{Mesh, Options},
     module::{self, Module, Origin},
     module_parts::{grouped, is_name, name_of},
     quantize::Up,
@@ -32,6 +34,10 @@ struct Arguments {
     /// Writes the normals of faces, which `FlatLit` shading takes, and not those of vertices
     #[arg(long)]
     flat: bool,
+    /// Writes that many coarser levels of detail too, each with half of the faces of the one before
+    #[arg(long, value_name = "COUNT", default_value_t = 0)]
+    #[arg(value_parser = clap::value_parser!(u8).range(..=i64::from(MOST_LEVELS)))]
+    levels: u8,
     /// The model's z is up, as in files of CAD programs, and not y
     #[arg(long)]
     z_up: bool,
@@ -66,8 +72,9 @@ fn run(arguments: &Arguments) -> anyhow::Result<()> {
         size: arguments.size,
         up: if arguments.z_up { Up::Z } else { Up::Y },
         flat: arguments.flat,
+        levels: arguments.levels,
     };
-    let mesh = mesh::convert(&model, options, &files)?;
+    let mesh = convert::convert(&model, options, &files)?;
     let origin = Origin {
         file: &file,
         name: arguments.name.as_deref(),
@@ -129,6 +136,17 @@ fn report(mesh: &Mesh, module: &Module, options: Options) {
         mesh.mean_error,
         mesh.mean_error * percent
     );
+    for (number, level) in (1..).zip(&mesh.levels) {
+        eprintln!(
+            "level {number}: {} vertices, {} faces, off by up to {:.3} units ({:.3} %), {:.3} units ({:.3} %) in the mean",
+            grouped(level.vertices),
+            grouped(level.faces.len()),
+            level.greatest_error,
+            level.greatest_error * percent,
+            level.mean_error,
+            level.mean_error * percent
+        );
+    }
     eprintln!("{} bytes of flash", grouped(module.bytes));
     eprintln!(
         "axes: the file's {}; zrow's z points away from the viewer, so {} and the corners of faces are reversed",

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::{
+    level::{Level, pick_from},
     mesh::{Mesh, Options},
     module_parts::{grouped, plain, quoted, write_lines},
     quantize::Up,
@@ -11,6 +12,9 @@ use crate::{
 
 /// Columns up to which rustfmt keeps a statement on a line.
 const COLUMNS: usize = 100;
+
+/// Pixels of the focal length for which the head says when levels are picked: a field of view of 90 degrees over 320 pixels.
+const FOCAL_LENGTH: u16 = 160;
 
 /// What the head of each written module says.
 pub const MARK: &str = "Written by zrow's converter";
@@ -36,14 +40,17 @@ pub struct Module {
 /// Writes a mesh as a module with a `static` of that name.
 pub fn write(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>) -> Module {
     let bytes = bytes(mesh);
-    let mut source = head(mesh, options, origin, bytes);
+    let mut source = head(mesh, options, name, origin, bytes);
     // Writing to a string does not fail.
     let _ = write_face_set(&mut source, mesh, name, origin);
-    let _ = write_colors(&mut source, mesh, name);
+    let _ = write_colors(&mut source, &mesh.colors, name);
     let _ = write_normals(&mut source, mesh, name);
     let _ = write_coordinates(&mut source, mesh, name);
     if let Some(texture) = &mesh.texture {
         let _ = write_texture(&mut source, texture, name);
+    }
+    for (number, level) in (1..).zip(&mesh.levels) {
+        let _ = write_level(&mut source, mesh, level, &format!("{name}_LEVEL_{number}"));
     }
     let vertices = mesh.vertices.iter().map(|[x, y, z]| format!("[{x}, {y}, {z}],"));
     let _ = write_table(
@@ -52,14 +59,19 @@ pub fn write(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>) -> M
         mesh.vertices.len(),
         vertices,
     );
-    let faces = mesh.faces.iter().map(|[a, b, c]| format!("[{a}, {b}, {c}],"));
-    let _ = write_table(&mut source, "static FACES: [[u16; 3]; ", mesh.faces.len(), faces);
+    let _ = write_faces(&mut source, "static FACES: [[u16; 3]; ", &mesh.faces);
+    for (number, level) in (1..).zip(&mesh.levels) {
+        let begin = format!("static {name}_LEVEL_{number}_FACES: [[u16; 3]; ");
+        let _ = write_faces(&mut source, &begin, &level.faces);
+    }
     Module { source, bytes }
 }
 
 /// Bytes of all tables.
 fn bytes(mesh: &Mesh) -> usize {
     let texture = mesh.texture.as_ref().map_or(0, |texture| 2 * texture.words.len());
+    let of_face = if mesh.normals.is_empty() { 10 } else { 8 };
+    let levels: usize = mesh.levels.iter().map(|level| of_face * level.faces.len()).sum();
     6 * mesh.vertices.len()
         + 6 * mesh.faces.len()
         + 2 * mesh.colors.len()
@@ -70,25 +82,30 @@ fn bytes(mesh: &Mesh) -> usize {
         }
         + 4 * mesh.coordinates.len()
         + texture
+        + levels
 }
 
-fn head(mesh: &Mesh, options: Options, origin: Origin<'_>, bytes: usize) -> String {
+fn head(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>, bytes: usize) -> String {
     let mut arguments = format!("{} --size {}", quoted(&plain(origin.file)), options.size);
     for (is_chosen, option) in [(options.flat, " --flat"), (options.up == Up::Z, " --z-up")] {
         if is_chosen {
             arguments.push_str(option);
         }
     }
+    if options.levels > 0 {
+        let _ = write!(arguments, " --levels {}", options.levels);
+    }
     if let Some(name) = origin.name {
         let _ = write!(arguments, " --name {name}");
     }
+    let levels = how_to_pick(mesh, name);
     format!(
         "//! {}: {} vertices, {} faces, {} bytes of flash.\n\
          //!\n\
          //! {MARK}; do not edit it, but convert again:\n\
          //! ```text\n\
          //! cargo run --release -- mesh {arguments}\n\
-         //! ```\n\n\
+         //! ```\n{levels}\n\
          use embedded_graphics::pixelcolor::Rgb565;\n\
          use zrow::scene::FaceSet;\n",
         plain(origin.file),
@@ -116,12 +133,12 @@ fn write_face_set(to: &mut String, mesh: &Mesh, name: &str, origin: Origin<'_>) 
     )
 }
 
-fn write_colors(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Result {
+fn write_colors(to: &mut String, colors: &[[u8; 3]], name: &str) -> std::fmt::Result {
     let color = |[red, green, blue]: &[u8; 3]| format!("Rgb565::new({red}, {green}, {blue})");
-    let count = mesh.colors.len();
+    let count = colors.len();
     write!(to, "\n/// The colour of each face.")?;
-    match mesh.colors.first() {
-        Some(first) if mesh.colors.iter().all(|color| color == first) => {
+    match colors.first() {
+        Some(first) if colors.iter().all(|color| color == first) => {
             let line = format!(
                 "pub static {name}_COLORS: [Rgb565; {count}] = [{}; {count}];",
                 color(first)
@@ -130,23 +147,99 @@ fn write_colors(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Result {
             writeln!(to, "{skip}\n{line}")
         }
         _ => {
-            let colors = mesh.colors.iter().map(|one| color(one) + ",");
+            let colors = colors.iter().map(|one| color(one) + ",");
             write_table(to, &format!("pub static {name}_COLORS: [Rgb565; "), count, colors)
         }
     }
 }
 
 fn write_normals(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Result {
-    let text = |[a, b]: [i8; 2]| format!("[{a}, {b}],");
-    let axes = "octahedral, 127 is 1, with x to the right, y up and z away from the viewer.";
     if mesh.normals.is_empty() {
-        write!(to, "\n/// The normal of each face: {axes}")?;
-        let begin = format!("pub static {name}_FACE_NORMALS: [[i8; 2]; ");
-        return write_table(to, &begin, mesh.faces.len(), mesh.face_normals().map(text));
+        return write_face_normals(to, mesh, &mesh.faces, name);
     }
-    write!(to, "\n/// The normal of each vertex: {axes}")?;
+    write!(to, "\n/// The normal of each vertex: {NORMAL_AXES}")?;
     let begin = format!("pub static {name}_NORMALS: [[i8; 2]; ");
-    write_table(to, &begin, mesh.normals.len(), mesh.normals.iter().copied().map(text))
+    write_table(to, &begin, mesh.normals.len(), mesh.normals.iter().copied().map(normal))
+}
+
+fn write_face_normals(to: &mut String, mesh: &Mesh, faces: &[[u16; 3]], name: &str) -> std::fmt::Result {
+    write!(to, "\n/// The normal of each face: {NORMAL_AXES}")?;
+    let begin = format!("pub static {name}_FACE_NORMALS: [[i8; 2]; ");
+    write_table(to, &begin, faces.len(), mesh.face_normals(faces).map(normal))
+}
+
+/// What normals are in.
+const NORMAL_AXES: &str = "octahedral, 127 is 1, with x to the right, y up and z away from the viewer.";
+
+fn normal([a, b]: [i8; 2]) -> String {
+    format!("[{a}, {b}],")
+}
+
+/// Writes a level: it takes the first vertices, with their normals and texture coordinates.
+fn write_level(to: &mut String, mesh: &Mesh, level: &Level, name: &str) -> std::fmt::Result {
+    writeln!(
+        to,
+        "\n/// {} vertices, the first of all, and {} faces: within {:.2} units of the finest mesh.\n#[rustfmt::skip]\n\
+         pub static {name}: FaceSet = match FaceSet::new(VERTICES.split_at({}).0, &{name}_FACES) {{\n    \
+             Ok(faces) => faces,\n    \
+             Err(_) => panic!(\"a face names a vertex that is not there\"),\n}};",
+        grouped(level.vertices),
+        grouped(level.faces.len()),
+        level.greatest_error,
+        level.vertices
+    )?;
+    write_colors(to, &level.colors, name)?;
+    if mesh.normals.is_empty() {
+        write_face_normals(to, mesh, &level.faces, name)?;
+    }
+    Ok(())
+}
+
+/// How an application picks a level: nothing without any.
+fn how_to_pick(mesh: &Mesh, name: &str) -> String {
+    let mut text = String::new();
+    if mesh.levels.is_empty() {
+        return text;
+    }
+    let _ = write!(
+        text,
+        "//!\n\
+         //! A level is picked by its distance from the camera in units: its error is half a pixel at twice the error times\n\
+         //! the focal length in pixels. All levels take the first vertices of one table, so normals and texture coordinates\n\
+         //! are those of {name}. With a focal length of {FOCAL_LENGTH} pixels:\n\
+         //! ```text\n\
+         //! let (mesh, colors) = match distance {{\n"
+    );
+    let froms = mesh
+        .levels
+        .iter()
+        .map(|level| pick_from(level.greatest_error, FOCAL_LENGTH));
+    // A level that is no farther off than a finer one is taken instead of it.
+    let mut nearest = u32::MAX;
+    let mut arms = Vec::new();
+    for (index, from) in froms.enumerate().rev() {
+        if from < nearest {
+            let until = if nearest == u32::MAX {
+                "_".to_owned()
+            } else {
+                format!("..{nearest}")
+            };
+            arms.push((until, format!("{name}_LEVEL_{}", index + 1)));
+            nearest = from;
+        }
+    }
+    if nearest > 0 {
+        arms.push((format!("..{nearest}"), name.to_owned()));
+    }
+    for (until, name) in arms.iter().rev() {
+        let _ = writeln!(text, "//!     {until} => (&{name}, &{name}_COLORS[..]),");
+    }
+    text + "//! };\n//! ```\n"
+}
+
+fn write_faces(to: &mut String, begin: &str, faces: &[[u16; 3]]) -> std::fmt::Result {
+    let lines = faces.iter().map(|[a, b, c]| format!("[{a}, {b}, {c}],"));
+    write_table(to, begin, faces.len(), lines)
 }
 
 fn write_coordinates(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Result {

@@ -2,7 +2,8 @@
 
 use anyhow::Context;
 use zrow_mesh::{
-    mesh::{self, Mesh, Options},
+    convert,
+    mesh::{Mesh, Options},
     model::Model,
     quantize::Up,
     read,
@@ -13,6 +14,7 @@ pub const OPTIONS: Options = Options {
     size: 100,
     up: Up::Y,
     flat: false,
+    levels: 0,
 };
 
 /// A cube from -1 to 1 of four-cornered faces, counter-clockwise from outside.
@@ -30,7 +32,7 @@ pub fn read(bytes: &[u8], name: &str, beside: Files<'_>) -> anyhow::Result<Model
 
 /// Reads and converts a model.
 pub fn convert(bytes: &[u8], name: &str, beside: Files<'_>, options: Options) -> anyhow::Result<Mesh> {
-    mesh::convert(&read(bytes, name, beside)?, options, &|path| file(beside, path))
+    convert::convert(&read(bytes, name, beside)?, options, &|path| file(beside, path))
 }
 
 /// Converts an OBJ of text.

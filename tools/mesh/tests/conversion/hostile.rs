@@ -3,7 +3,10 @@
 use std::time::Instant;
 
 use zrow::scene::FaceSet;
-use zrow_mesh::module::{self, Origin};
+use zrow_mesh::{
+    mesh::Options,
+    module::{self, Origin},
+};
 
 use crate::common::{CUBE, Files, OPTIONS, Random, convert};
 
@@ -14,7 +17,7 @@ const PICTURE: &[u8] = include_bytes!("models/letter.png");
 /// Converts a file and writes its module, which has to end in seconds, and says whether there is one.
 fn gives_a_module(bytes: &[u8], name: &str, beside: Files<'_>, what: impl Fn() -> String) -> bool {
     let start = Instant::now();
-    let mesh = convert(bytes, name, beside, OPTIONS);
+    let mesh = convert(bytes, name, beside, Options { levels: 2, ..OPTIONS });
     let is_model = match mesh {
         Ok(mesh) => {
             assert!(FaceSet::new(&mesh.vertices, &mesh.faces).is_ok(), "{}", what());
@@ -25,6 +28,11 @@ fn gives_a_module(bytes: &[u8], name: &str, beside: Files<'_>, what: impl Fn() -
                 what()
             );
             assert_eq!(mesh.normals.len(), mesh.vertices.len());
+            for level in &mesh.levels {
+                let vertices = &mesh.vertices[..level.vertices];
+                assert!(FaceSet::new(vertices, &level.faces).is_ok(), "{}", what());
+                assert!(level.faces.len() == level.colors.len() && level.faces.len() < mesh.faces.len());
+            }
             assert!(
                 mesh.greatest_error.is_finite() && mesh.greatest_error < 1.0,
                 "{}",

@@ -162,7 +162,7 @@ fn without_normals_none_are_written() {
     }
     assert!(!module.source.contains("DIE_NORMALS"));
     // Two faces look along each axis, to both sides: the front one is that with z below 0.
-    let mut normals: Vec<_> = mesh.face_normals().collect();
+    let mut normals: Vec<_> = mesh.face_normals(&mesh.faces).collect();
     normals.sort();
     let axes = [[-127, 0], [0, -127], [0, 0], [0, 127], [127, 0], [127, 127]];
     assert_eq!(normals, axes.map(|axis| [axis; 2]).concat());
