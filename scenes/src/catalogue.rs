@@ -15,6 +15,7 @@ use crate::{
     instruments::{Instruments, Jagged, Replayed},
     line_siblings::LineSiblings,
     oled::Oled,
+    oled_teapot::OledTeapot,
     paints::Paints,
     polygons::Polygons,
     samples::Samples,
@@ -78,4 +79,5 @@ catalogue![
     Sc2,
     Sc3,
     Oled,
+    OledTeapot,
 ];

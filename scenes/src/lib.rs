@@ -22,6 +22,7 @@ pub mod instruments;
 pub mod line_siblings;
 pub mod meshes;
 pub mod oled;
+pub mod oled_teapot;
 mod paint;
 pub mod paints;
 mod picture_capacities;

@@ -1,7 +1,7 @@
-//! zrow on the LM3S6965EVB: a Cortex-M3 draws the OLED scene one row at a time and pushes each row over SPI.
+//! zrow on the LM3S6965EVB: a Cortex-M3 draws the scenes of the OLED one row at a time and pushes each row over SPI.
 //!
-//! No frame buffer and no copy: the scene draws into one row of 128 bytes, which is packed in place to the 64 bytes that
-//! the panel takes.
+//! No frame buffer and no copy: a scene draws into one row of 128 bytes, which is packed in place to the 64 bytes that
+//! the panel takes. The second scene draws in 256 greys, which are dithered in place to the panel's 16 before that.
 
 #![no_std]
 #![no_main]
@@ -15,7 +15,7 @@ mod stopwatch;
 
 use core::convert::Infallible;
 use cortex_m_semihosting::{debug, hprintln};
-use embedded_graphics::primitives::Rectangle;
+use embedded_graphics::{geometry::Dimensions, pixelcolor::Gray4};
 use embedded_hal::digital::OutputPin;
 use embedded_hal_bus::spi::{DeviceError, ExclusiveDevice, NoDelay};
 use gpio::Output;
@@ -25,10 +25,11 @@ use ssd0323::Ssd0323;
 use ssi::Spi;
 use stopwatch::Stopwatch;
 use tock_registers::interfaces::ReadWriteable;
-use zrow::band::{BytesSink, LoopError};
+use zrow::band::{Band, Dithered, LittleEndian, LoopError, PictureLoop, Sink};
 use zrow_scenes::{
     PrepareError, Prepared, Scene,
-    oled::{self, Animation, Oled},
+    oled::{AREA, FRAMES, Oled},
+    oled_teapot::{OledTeapot, Turned},
 };
 
 type Panel = Ssd0323<ExclusiveDevice<Spi, Output, NoDelay>, Output>;
@@ -53,31 +54,108 @@ fn main() -> ! {
 }
 
 fn show(mut core: cortex_m::Peripherals) -> Result<(), Failure> {
-    let mut panel = panel(&Peripherals::new(&mut core));
-    panel
+    let mut board = Board {
+        panel: panel(&Peripherals::new(&mut core)),
+        stopwatch: Stopwatch::new(core.SYST),
+        mode: host::mode(),
+    };
+    board
+        .panel
         .initialize()
         .map_err(|error| Failure::Picture(LoopError::Sink(error)))?;
-    let mut stopwatch = Stopwatch::new(core.SYST);
-    let mut scene = Oled::default();
-    let mut animation = scene.animation().map_err(Failure::Scene)?;
-    let mode = host::mode();
-    let frames = if mode == Mode::Loop { u32::MAX } else { oled::FRAMES };
-    for frame in 0..frames {
-        stopwatch.restart();
-        let sending = show_frame(&mut panel, &mut animation, frame, &stopwatch)?;
-        hprintln!(
-            "frame {}: {} ticks, {} of them to send",
-            frame,
-            stopwatch.ticks(),
-            sending
-        );
-        match mode {
-            Mode::Once => {}
-            Mode::Loop => while stopwatch.ticks() < TICKS_A_FRAME {},
-            Mode::Step => host::wait_for_byte(),
+    loop {
+        show_oled(&mut board)?;
+        show_teapot(&mut board)?;
+        if board.mode != Mode::Loop {
+            return Ok(());
         }
     }
-    Ok(())
+}
+
+/// The object and the gauge, drawn in the panel's 16 greys.
+#[inline(never)]
+fn show_oled(board: &mut Board) -> Result<(), Failure> {
+    let mut scene = Oled::default();
+    let mut animation = scene.animation().map_err(Failure::Scene)?;
+    board.animate(Oled::NAME, |frame, row, mut sink| {
+        let mut prepared = animation.prepare(frame).map_err(Failure::Scene)?;
+        Oled::picture()
+            .draw(row, &mut sink, |band| prepared.draw(band))
+            .map_err(Failure::Picture)
+    })
+}
+
+/// The teapot, drawn in 256 greys and dithered.
+#[inline(never)]
+fn show_teapot(board: &mut Board) -> Result<(), Failure> {
+    let mut scene = OledTeapot::default();
+    board.animate(OledTeapot::NAME, |frame, row, sink| {
+        let mut prepared = scene.prepare(frame).map_err(Failure::Scene)?;
+        PictureLoop::new(AREA, Turned::BACKGROUND)
+            .draw(row, &mut Dithered::new(sink), |band| prepared.draw_undithered(band))
+            .map_err(Failure::Picture)
+    })
+}
+
+/// The panel, the time that a frame takes, and how the host wants the frames.
+struct Board {
+    panel: Panel,
+    stopwatch: Stopwatch,
+    mode: Mode,
+}
+
+impl Board {
+    /// Shows each frame of a scene, drawn into the one row there is, and reports how long it took.
+    fn animate(
+        &mut self,
+        scene: &str,
+        mut show: impl FnMut(u32, &mut [u8], PanelSink<'_>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        for frame in 0..FRAMES {
+            self.stopwatch.restart();
+            let (mut row, mut sending) = ([0; ssd0323::WIDTH], 0);
+            let sink = PanelSink {
+                panel: &mut self.panel,
+                stopwatch: &self.stopwatch,
+                sending: &mut sending,
+            };
+            show(frame, &mut row, sink)?;
+            hprintln!(
+                "{} frame {}: {} ticks, {} of them to send",
+                scene,
+                frame,
+                self.stopwatch.ticks(),
+                sending
+            );
+            match self.mode {
+                Mode::Once => {}
+                Mode::Loop => while self.stopwatch.ticks() < TICKS_A_FRAME {},
+                Mode::Step => host::wait_for_byte(),
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Sends each row to the panel before the next one is drawn.
+struct PanelSink<'a> {
+    panel: &'a mut Panel,
+    stopwatch: &'a Stopwatch,
+    /// The ticks that sending has taken.
+    sending: &'a mut u32,
+}
+
+impl Sink<Gray4, LittleEndian> for PanelSink<'_> {
+    type Error = PanelError;
+
+    fn send(&mut self, band: Band<'_, Gray4>) -> Result<(), PanelError> {
+        let top = band.bounding_box().top_left.y;
+        let packed = band.into_bytes();
+        let begin = self.stopwatch.ticks();
+        let sent = self.panel.write_rows(top, packed);
+        *self.sending += self.stopwatch.ticks() - begin;
+        sent
+    }
 }
 
 /// Wires up the OLED: data/command on C7, select on A3, the bus on SSI0.
@@ -91,27 +169,6 @@ fn panel(peripherals: &Peripherals) -> Panel {
     let select = Output::new::<3>(peripherals.port_a);
     let Ok(device) = ExclusiveDevice::new_no_delay(Spi::new(peripherals), select);
     Ssd0323::new(device, data_not_command)
-}
-
-/// Draws each row of a frame into the one row there is, and sends it before the next. Returns the ticks that sending took.
-fn show_frame(
-    panel: &mut Panel,
-    animation: &mut Animation<'_>,
-    frame: u32,
-    stopwatch: &Stopwatch,
-) -> Result<u32, Failure> {
-    let (mut row, mut sending) = ([0; ssd0323::WIDTH], 0);
-    let mut sink = BytesSink(|area: Rectangle, packed: &[u8]| {
-        let begin = stopwatch.ticks();
-        let sent = panel.write_rows(area.top_left.y, packed);
-        sending += stopwatch.ticks() - begin;
-        sent
-    });
-    let mut prepared = animation.prepare(frame).map_err(Failure::Scene)?;
-    Oled::picture()
-        .draw(&mut row, &mut sink, |band| prepared.draw(band))
-        .map_err(Failure::Picture)?;
-    Ok(sending)
 }
 
 /// Ends the program, and QEMU with it.

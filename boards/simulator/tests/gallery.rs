@@ -141,7 +141,7 @@ fn frames_of_gif(path: &Path) -> (usize, u16, u16) {
 /// The GIF holds the same pixels as the PNG of the same frame.
 #[test]
 fn animations_lose_nothing() {
-    for scene in ["sc1", "dashboard", "oled"] {
+    for scene in ["sc1", "dashboard", "oled", "oled-teapot"] {
         let folder = folder(&format!("lossless-{scene}"));
         let path = folder.to_string_lossy();
         // Enough frames for the one that the PNG shows.

@@ -19,6 +19,7 @@ use zrow::band::DisplaySink;
 use zrow_scenes::{
     Prepared, Scene,
     oled::{self, Oled},
+    oled_teapot::OledTeapot,
 };
 
 /// With `-icount shift=0` an instruction takes 1 ns, and SysTick ticks at the board's 12.5 MHz.
@@ -28,7 +29,7 @@ const INSTRUCTIONS_PER_TICK: u64 = 80;
 #[derive(clap::Parser)]
 #[command(name = "emulate", version)]
 pub struct Options {
-    /// Frames to compare, from the first one on.
+    /// Frames of each scene to compare, from the first one on.
     #[arg(long, default_value_t = oled::FRAMES, value_parser = clap::value_parser!(u32).range(3..=i64::from(oled::FRAMES)))]
     frames: u32,
     /// Folder for the pictures of both sides.
@@ -40,35 +41,48 @@ fn main() -> anyhow::Result<()> {
     run(&Options::parse())
 }
 
-/// Runs the command; fails unless every pixel of every frame is the same.
+/// Runs the command; fails unless every pixel of every frame of both scenes is the same.
 pub fn run(options: &Options) -> Result<()> {
     let program = firmware::build()?;
     fs::create_dir_all(&options.output).with_context(|| format!("cannot create {}", options.output.display()))?;
     let mut qemu = Qemu::start(&program)?;
-    let mut simulator = Simulator::default();
-    let progress = ProgressBar::new(options.frames.into())
-        .with_style(ProgressStyle::with_template("{bar:40} frame {pos}/{len} {msg}")?);
+    let differing = compare::<Oled>(&mut qemu, options)? + compare::<OledTeapot>(&mut qemu, options)?;
+    println!("pictures in {}", options.output.display());
+    ensure!(differing == 0, "the emulated panel differs from the simulator");
+    Ok(())
+}
+
+/// Compares the frames of a scene; returns how many pixels differ.
+fn compare<S: Scene<Color = Gray4>>(qemu: &mut Qemu, options: &Options) -> Result<usize> {
+    let mut simulator = Simulator::<S>::default();
+    let progress = ProgressBar::new(options.frames.into()).with_style(ProgressStyle::with_template(
+        "{prefix} {bar:40} frame {pos}/{len} {msg}",
+    )?);
+    progress.set_prefix(S::NAME);
     let (mut differing, mut ticks, mut sending) = (0, 0, 0);
-    for frame in 0..options.frames {
-        let taken = qemu.wait_for_frame(frame)?;
-        ticks += taken.frame;
-        sending += taken.sending;
-        let emulated = Panel::from_screendump(&qemu.screendump(&options.output.join("panel.ppm"))?)?;
-        let drawn = simulator.draw(frame)?;
-        let in_frame = emulated.differing_pixels(&drawn);
-        emulated.save(&options.output.join(format!("frame-{frame:02}-emulated.png")))?;
-        simulator.save(&options.output.join(format!("frame-{frame:02}-simulator.png")))?;
-        differing += in_frame;
-        progress.set_message(format!("{differing} differing pixels"));
-        progress.inc(1);
+    for frame in 0..S::FRAMES {
+        let taken = qemu.wait_for_frame(S::NAME, frame)?;
+        // The firmware shows all frames of a scene before it goes on to the next one.
+        if frame < options.frames {
+            ticks += taken.frame;
+            sending += taken.sending;
+            let emulated = Panel::from_screendump(&qemu.screendump(&options.output.join("panel.ppm"))?)?;
+            let drawn = simulator.draw(frame)?;
+            let picture = |side| options.output.join(format!("{}-{frame:02}-{side}.png", S::NAME));
+            emulated.save(&picture("emulated"))?;
+            simulator.save(&picture("simulator"))?;
+            differing += emulated.differing_pixels(&drawn);
+            progress.set_message(format!("{differing} differing pixels"));
+            progress.inc(1);
+        }
         qemu.next_frame()?;
     }
     progress.finish_and_clear();
-    let pixels = options.frames * oled::AREA.size.width * oled::AREA.size.height;
+    let pixels = options.frames * S::AREA.size.width * S::AREA.size.height;
     println!(
-        "{differing} differing pixels of {pixels} in {} frames (pictures in {})",
-        options.frames,
-        options.output.display()
+        "{}: {differing} differing pixels of {pixels} in {} frames",
+        S::NAME,
+        options.frames
     );
     let instructions = |ticks: u64| ticks * INSTRUCTIONS_PER_TICK / u64::from(options.frames);
     println!(
@@ -77,30 +91,29 @@ pub fn run(options: &Options) -> Result<()> {
         instructions(ticks - sending),
         instructions(sending)
     );
-    ensure!(differing == 0, "the emulated panel differs from the simulator");
-    Ok(())
+    Ok(differing)
 }
 
 /// The desktop's side: the same scene code, the same one row.
-struct Simulator {
-    scene: Oled,
+struct Simulator<S> {
+    scene: S,
     display: SimulatorDisplay<Gray4>,
 }
 
-impl Default for Simulator {
+impl<S: Scene<Color = Gray4>> Default for Simulator<S> {
     fn default() -> Self {
         Self {
-            scene: Oled::default(),
-            display: SimulatorDisplay::new(oled::AREA.size),
+            scene: S::default(),
+            display: SimulatorDisplay::new(S::AREA.size),
         }
     }
 }
 
-impl Simulator {
+impl<S: Scene<Color = Gray4>> Simulator<S> {
     fn draw(&mut self, frame: u32) -> Result<Panel> {
-        let mut row = vec![0; oled::AREA.size.width as usize];
+        let mut row = vec![0; S::AREA.size.width as usize];
         let mut prepared = self.scene.prepare(frame)?;
-        Oled::picture()
+        S::picture()
             .draw(&mut row, &mut DisplaySink(&mut self.display), |band| {
                 prepared.draw(band)
             })

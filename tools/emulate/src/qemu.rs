@@ -82,16 +82,19 @@ impl Qemu {
         })
     }
 
-    /// Waits until the firmware has a frame on the panel; returns how long that took.
-    pub fn wait_for_frame(&mut self, frame: u32) -> Result<Ticks> {
+    /// Waits until the firmware has a frame of a scene on the panel; returns how long that took.
+    pub fn wait_for_frame(&mut self, scene: &str, frame: u32) -> Result<Ticks> {
         let line = self.reports.recv_timeout(FRAME_TIMEOUT).map_err(|error| match error {
-            RecvTimeoutError::Timeout => anyhow!("no frame {frame} within {} s", FRAME_TIMEOUT.as_secs()),
-            RecvTimeoutError::Disconnected => anyhow!("QEMU ended before frame {frame}: {:?}", self.child.0.try_wait()),
+            RecvTimeoutError::Timeout => anyhow!("no frame {frame} of {scene} within {} s", FRAME_TIMEOUT.as_secs()),
+            RecvTimeoutError::Disconnected => anyhow!(
+                "QEMU ended before frame {frame} of {scene}: {:?}",
+                self.child.0.try_wait()
+            ),
         })?;
         // A panic message has more lines, and the firmware ends after it.
-        Ticks::of_frame(frame, &line).ok_or_else(|| {
+        Ticks::of_frame(scene, frame, &line).ok_or_else(|| {
             anyhow!(
-                "instead of frame {frame} the firmware said: {line} {}",
+                "instead of frame {frame} of {scene} the firmware said: {line} {}",
                 self.last_words()
             )
         })
@@ -227,9 +230,9 @@ pub struct Ticks {
 
 impl Ticks {
     /// Reads them from what the firmware says of a frame.
-    fn of_frame(frame: u32, line: &str) -> Option<Self> {
+    fn of_frame(scene: &str, frame: u32, line: &str) -> Option<Self> {
         let line = line
-            .strip_prefix(&format!("frame {frame}: "))?
+            .strip_prefix(&format!("{scene} frame {frame}: "))?
             .strip_suffix(" of them to send")?;
         let (frame, sending) = line.split_once(" ticks, ")?;
         Some(Self {
@@ -250,16 +253,17 @@ mod tests {
             sending: 2_090,
         };
         assert_eq!(
-            Ticks::of_frame(7, "frame 7: 8311 ticks, 2090 of them to send"),
+            Ticks::of_frame("oled", 7, "oled frame 7: 8311 ticks, 2090 of them to send"),
             Some(ticks)
         );
         for other in [
-            "frame 8: 8311 ticks, 2090 of them to send",
-            "frame 7: 8311 ticks",
-            "frame 7: panicked",
+            "oled frame 8: 8311 ticks, 2090 of them to send",
+            "oled-teapot frame 7: 8311 ticks, 2090 of them to send",
+            "oled frame 7: 8311 ticks",
+            "oled frame 7: panicked",
             "",
         ] {
-            assert_eq!(Ticks::of_frame(7, other), None, "{other}");
+            assert_eq!(Ticks::of_frame("oled", 7, other), None, "{other}");
         }
     }
 }
