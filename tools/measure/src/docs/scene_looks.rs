@@ -26,10 +26,10 @@ impl Visitor for Rows {
     }
 }
 
-/// The name of a type without the modules of each of its parts.
+/// The name of a type without the modules of each of its parts, and without lifetimes, which some compilers name.
 fn without_paths(name: &str) -> String {
     let mut short = String::new();
-    for part in name.split_inclusive(['<', '>', ',', ' ']) {
+    for part in name.replace("'_, ", "").split_inclusive(['<', '>', ',', ' ']) {
         short += part.rsplit("::").next().unwrap_or(part);
     }
     short
@@ -41,7 +41,7 @@ mod tests {
 
     #[test]
     fn types_are_named_without_modules() {
-        let name = "a::Whole<a::b::Textured<c::Texels<rgb::Rgb565, 64, 8>>>";
+        let name = "'_, '_, a::Whole<a::b::Textured<c::Texels<rgb::Rgb565, 64, 8>>>";
         assert_eq!(without_paths(name), "Whole<Textured<Texels<Rgb565, 64, 8>>>");
     }
 
