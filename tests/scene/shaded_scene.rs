@@ -33,9 +33,9 @@ pub struct Numbers<'a, const N: usize> {
 #[derive(Debug)]
 pub struct Even<const N: usize>;
 
-/// Numbers that vary evenly in space.
+/// Numbers that vary evenly in space, divided at every `STEP`th pixel.
 #[derive(Debug)]
-pub struct InSpace<const N: usize, const TOLERANCE: u16 = 0>;
+pub struct InSpace<const N: usize, const TOLERANCE: u16 = 0, const STEP: i32 = 16>;
 
 impl<const N: usize> Numbers<'_, N> {
     fn check(&self, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
@@ -74,7 +74,7 @@ macro_rules! shows_numbers {
     };
 }
 shows_numbers!(Even<N>, [i16; N], 0, |numbers| numbers, const N: usize);
-shows_numbers!(InSpace<N, TOLERANCE>, Perspective<N>, TOLERANCE, Perspective, const N: usize, const TOLERANCE: u16);
+shows_numbers!(InSpace<N, TOLERANCE, STEP>, Perspective<N, STEP>, TOLERANCE, Perspective, const N: usize, const TOLERANCE: u16, const STEP: i32);
 
 /// The word of a pixel that nothing was drawn to: no attribute has it, because the least one is half a unit above it.
 pub const UNTOUCHED: u32 = 0x8000_0000;
@@ -313,7 +313,7 @@ impl Skinned for Even<2> {
     }
 }
 
-impl<const TOLERANCE: u16> Skinned for InSpace<2, TOLERANCE> {
+impl<const TOLERANCE: u16, const STEP: i32> Skinned for InSpace<2, TOLERANCE, STEP> {
     fn model<'a>(mesh: &'a Mesh, data: &'a VertexData) -> Model<'a, Self> {
         model(mesh, &data.coordinates, 1)
     }

@@ -172,6 +172,8 @@ fn check_all(meshes: &[Mesh; 2], data: &[VertexData; 2], pose: Pose, camera: &Ca
     check::<Even<2>>(meshes, data, pose, camera);
     check::<InSpace<2>>(meshes, data, pose, camera);
     check::<InSpace<2, 16>>(meshes, data, pose, camera);
+    check::<InSpace<2, 0, 8>>(meshes, data, pose, camera);
+    check::<InSpace<2, 0, 1>>(meshes, data, pose, camera);
 }
 
 /// A mesh, and its faces in another order: wherever there is a face there are two, and the first rows of some come

@@ -14,9 +14,6 @@ use crate::shaded_scene::{
 };
 use crate::snapped_faces::snapped;
 
-/// Pixels from one division to the next.
-const STEP: i32 = 16;
-
 /// An attribute of a face in space at a point: the sum of those of the corners, weighed by barycentric coordinates and
 /// depths.
 pub fn in_space(face: &Face, numbers: [i16; 3], [x, y]: [i128; 2]) -> f64 {
@@ -43,7 +40,7 @@ pub fn span(face: &Face, row: i32, unit: i128) -> Option<[i32; 2]> {
 /// The greatest errors of the numbers of a picture, in units.
 #[derive(Debug, Default, Copy, Clone)]
 struct Errors {
-    /// From the exact number where it is divided, at both ends of a span and every 16 columns, and from a line in
+    /// From the exact number where it is divided, at both ends of a span and every 1 to 16 columns, and from a line in
     /// between.
     from_line: f64,
     from_exact: f64,
@@ -51,10 +48,10 @@ struct Errors {
 
 impl Errors {
     /// Adds the pixels of one row of a face that are in the picture.
-    fn add_row(&mut self, words: &[u32], [first, last]: [i32; 2], exact: impl Fn(i32) -> f64) {
+    fn add_row(&mut self, step: i32, words: &[u32], [first, last]: [i32; 2], exact: impl Fn(i32) -> f64) {
         for (column, word) in (0..).zip(words).filter(|(column, _)| (first..=last).contains(column)) {
-            let before = (column & -STEP).max(first);
-            let after = ((column & -STEP) + STEP).min(last);
+            let before = (column & -step).max(first);
+            let after = ((column & -step) + step).min(last);
             let line = match f64::from(after - before) {
                 0.0 => exact(column),
                 length => exact(before) + (exact(after) - exact(before)) * f64::from(column - before) / length,
@@ -95,19 +92,19 @@ fn is_even(face: &Face, numbers: &[[i16; 2]; 3], tolerance: u16) -> bool {
 }
 
 /// Draws a model of one face and hands each face on the screen that is not cut over, with its numbers and errors.
-fn for_each_face<L, const TOLERANCE: u16>(
+fn for_each_face<L, const TOLERANCE: u16, const STEP: i32>(
     mesh: &Mesh,
     numbers: &[[i16; 2]],
     pose: Pose,
     check: impl Fn(&Face, &[[i16; 2]; 3], Errors),
 ) where
-    L: Look<Color = Rgb888, Shading = InSpace<2, TOLERANCE>>,
+    L: Look<Color = Rgb888, Shading = InSpace<2, TOLERANCE, STEP>>,
 {
     let camera = camera_in_units();
     let area = camera.viewport().to_rectangle();
     let mut memory = Box::new(SmallMemory::<L>::new());
     for shown in 0..2 {
-        let models = [model::<InSpace<2, TOLERANCE>, 2>(mesh, numbers, shown).with_pose(pose)];
+        let models = [model::<L::Shading, 2>(mesh, numbers, shown).with_pose(pose)];
         let mut prepared = memory.prepare(&camera, &models).unwrap();
         if prepared.vertices_needed() > mesh.vertices.len() {
             return;
@@ -122,7 +119,7 @@ fn for_each_face<L, const TOLERANCE: u16>(
                 let unit = unit::<L>();
                 let exact = |column: i32| in_space(face, shown, [column, row].map(|pixels| i128::from(pixels) * unit));
                 if let Some(span) = span(face, row, unit) {
-                    errors.add_row(words, span, exact);
+                    errors.add_row(STEP, words, span, exact);
                 }
             }
             check(face, &numbers, errors);
@@ -131,13 +128,13 @@ fn for_each_face<L, const TOLERANCE: u16>(
 }
 
 /// Checks that a face of one mesh is drawn by divisions, without tolerance.
-fn check_divided<L: Look<Color = Rgb888, Shading = InSpace<2>>>(
+fn check_divided<L: Look<Color = Rgb888, Shading = InSpace<2, 0, STEP>>, const STEP: i32>(
     mesh: &Mesh,
     numbers: &[[i16; 2]],
     pose: Pose,
     most: f64,
 ) {
-    for_each_face::<L, 0>(mesh, numbers, pose, |face, numbers, errors| {
+    for_each_face::<L, 0, STEP>(mesh, numbers, pose, |face, numbers, errors| {
         let bound = if is_even(face, numbers, 0) {
             1.0 / 64.0
         } else {
@@ -152,7 +149,7 @@ fn check_divided<L: Look<Color = Rgb888, Shading = InSpace<2>>>(
 
 /// Checks that a face is drawn within a tolerance, or by divisions.
 fn check_tolerance<const TOLERANCE: u16>(mesh: &Mesh, numbers: &[[i16; 2]]) {
-    for_each_face::<InSpace<2, TOLERANCE>, TOLERANCE>(mesh, numbers, Pose::IDENTITY, |face, numbers, errors| {
+    for_each_face::<InSpace<2, TOLERANCE>, TOLERANCE, 16>(mesh, numbers, Pose::IDENTITY, |face, numbers, errors| {
         if is_even(face, numbers, TOLERANCE) {
             assert!(
                 errors.from_exact <= f64::from(TOLERANCE) + 1.0 / 64.0,
@@ -245,10 +242,14 @@ proptest! {
             [x, y, distances[i]]
         });
         let mesh = triangle(corners);
-        check_divided::<InSpace<2>>(&mesh, &numbers, Pose::IDENTITY, 1.0);
-        check_divided::<Fine<InSpace<2>>>(&mesh, &numbers, Pose::IDENTITY, 1.0);
-        check_divided::<Deep<InSpace<2>>>(&mesh, &numbers, Pose::IDENTITY, 1.0);
-        check_divided::<Fine<Deep<InSpace<2>>>>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+        check_divided::<InSpace<2>, 16>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+        check_divided::<Fine<InSpace<2>>, 16>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+        check_divided::<Deep<InSpace<2>>, 16>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+        check_divided::<Fine<Deep<InSpace<2>>>, 16>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+        check_divided::<InSpace<2, 0, 8>, 8>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+        check_divided::<Fine<InSpace<2, 0, 4>>, 4>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+        check_divided::<Deep<InSpace<2, 0, 2>>, 2>(&mesh, &numbers, Pose::IDENTITY, 1.0);
+        check_divided::<InSpace<2, 0, 1>, 1>(&mesh, &numbers, Pose::IDENTITY, 1.0);
     }
 
     /// Two corners with one number at the near plane: along the edge between them the error of a gradient takes no number past
@@ -263,8 +264,8 @@ proptest! {
         let mesh = triangle([[a[0], a[1], distance], [b[0], b[1], 128], [c[0], c[1], 128]]);
         let number = -(1i16 << size);
         let numbers = [[0; 2], [number; 2], [number; 2]];
-        check_divided::<InSpace<2>>(&mesh, &numbers, Pose::IDENTITY, f64::MAX);
-        check_divided::<Fine<Deep<InSpace<2>>>>(&mesh, &numbers, Pose::IDENTITY, f64::MAX);
+        check_divided::<InSpace<2>, 16>(&mesh, &numbers, Pose::IDENTITY, f64::MAX);
+        check_divided::<Fine<Deep<InSpace<2>>>, 16>(&mesh, &numbers, Pose::IDENTITY, f64::MAX);
     }
 
     /// Numbers that change by more than half of all there are from one division to the next.
@@ -274,8 +275,10 @@ proptest! {
         numbers in prop::array::uniform3(prop::array::uniform2(-32_000i16..=32_000)),
         pose in pose(1300..2500),
     ) {
-        check_divided::<InSpace<2>>(&triangle(corners), &numbers, pose, f64::MAX);
-        check_divided::<Fine<Deep<InSpace<2>>>>(&triangle(corners), &numbers, pose, f64::MAX);
+        check_divided::<InSpace<2>, 16>(&triangle(corners), &numbers, pose, f64::MAX);
+        check_divided::<Fine<Deep<InSpace<2>>>, 16>(&triangle(corners), &numbers, pose, f64::MAX);
+        check_divided::<Fine<Deep<InSpace<2, 0, 8>>>, 8>(&triangle(corners), &numbers, pose, f64::MAX);
+        check_divided::<InSpace<2, 0, 1>, 1>(&triangle(corners), &numbers, pose, f64::MAX);
     }
 
     /// Faces that lean so little that some are drawn without divisions.

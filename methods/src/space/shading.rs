@@ -57,22 +57,22 @@ pub struct Coordinates<'a> {
     shown: usize,
 }
 
-/// Texture coordinates in perspective, divided where they may be off by more than so many 1/4,096 of a texture; the word of a
-/// pixel is one of both with 16 fractional bits.
+/// Texture coordinates in perspective, divided at every `STEP`th pixel where they may be off by more than so many 1/4,096 of a
+/// texture; the word of a pixel is one of both with 16 fractional bits.
 #[derive(Debug)]
-pub struct InSpace<const TOLERANCE: u16>;
+pub struct InSpace<const TOLERANCE: u16, const STEP: i32 = 16>;
 
-impl<const TOLERANCE: u16> Shading for InSpace<TOLERANCE> {
+impl<const TOLERANCE: u16, const STEP: i32> Shading for InSpace<TOLERANCE, STEP> {
     type Color = Rgb888;
     type Skin<'a> = Coordinates<'a>;
     type Uniforms = ();
-    type Attributes = Perspective<2>;
+    type Attributes = Perspective<2, STEP>;
     const TOLERANCE: u16 = TOLERANCE;
 
     fn uniforms(_: &Coordinates<'_>, _: &Pose, _: &Camera) {}
 
     #[inline]
-    fn vertex(skin: &Coordinates<'_>, (): &(), vertex: usize, _: [i32; 3]) -> Perspective<2> {
+    fn vertex(skin: &Coordinates<'_>, (): &(), vertex: usize, _: [i32; 3]) -> Perspective<2, STEP> {
         Perspective(skin.of_vertices.get(vertex).copied().unwrap_or_default())
     }
 
@@ -82,7 +82,7 @@ impl<const TOLERANCE: u16> Shading for InSpace<TOLERANCE> {
     }
 }
 
-impl<const TOLERANCE: u16> SpaceShading for InSpace<TOLERANCE> {
+impl<const TOLERANCE: u16, const STEP: i32> SpaceShading for InSpace<TOLERANCE, STEP> {
     fn model<'a>(input: &'a SpaceInput, mesh: FaceSet<'a>, shown: usize) -> Result<Model<'a, Self>, TooSmall> {
         let of_vertices = &input.coordinates;
         Model::with_skin(mesh, Coordinates { of_vertices, shown })

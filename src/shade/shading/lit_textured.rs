@@ -26,10 +26,12 @@ use crate::{
 
 /// A picture on each face, of a [`Texture`] or of what a [`Sampler`] makes of one, under lights ([`Lighting`]).
 ///
+/// Texture coordinates and light are divided by the depth at every 16th pixel of a span, or at every `STEP`th ([`Perspective`]).
+///
 /// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<LitTextured<Texels<Rgb565, 64, 64>>>`.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct LitTextured<T, L = Lambert<1>>(PhantomData<(T, L)>);
+pub struct LitTextured<T, L = Lambert<1>, const STEP: i32 = 16>(PhantomData<(T, L)>);
 
 /// What [`LitTextured`] shading takes beside a mesh.
 pub struct LitTexturedSkin<'a, T: Sampler, L = Lambert<1>> {
@@ -77,11 +79,14 @@ impl<T: Sampler, L: defmt::Format> defmt::Format for LitTexturedSkin<'_, T, L> {
 /// Fractional bits of the light that a texel is multiplied with.
 const FACTOR_BITS: u32 = 5;
 
-impl<T: Sampler<Texture: Texture<Color: ChannelColor>>, L: Lighting> Shading for LitTextured<T, L> {
+impl<T, L: Lighting, const STEP: i32> Shading for LitTextured<T, L, STEP>
+where
+    T: Sampler<Texture: Texture<Color: ChannelColor>>,
+{
     type Color = <T::Texture as Texture>::Color;
     type Skin<'a> = LitTexturedSkin<'a, T, L>;
     type Uniforms = L::OfModel;
-    type Attributes = Perspective<3>;
+    type Attributes = Perspective<3, STEP>;
     const TOLERANCE: u16 = tolerance::<T::Texture>();
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
@@ -98,8 +103,8 @@ impl<T: Sampler<Texture: Texture<Color: ChannelColor>>, L: Lighting> Shading for
     }
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i32; 3]) -> Perspective<3> {
-        skin.lit_vertex(vertex, |bytes| L::reflected(lights, unit_normal(bytes), position))
+    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i32; 3]) -> Perspective<3, STEP> {
+        Perspective(skin.lit_vertex(vertex, |bytes| L::reflected(lights, unit_normal(bytes), position)))
     }
 
     #[inline]
@@ -109,10 +114,10 @@ impl<T: Sampler<Texture: Texture<Color: ChannelColor>>, L: Lighting> Shading for
         normals: &Affine,
         vertex: usize,
         position: [i32; 3],
-    ) -> Perspective<3> {
-        skin.lit_vertex(vertex, |bytes| {
+    ) -> Perspective<3, STEP> {
+        Perspective(skin.lit_vertex(vertex, |bytes| {
             L::reflected(lights, normals.unit_vector(normal(bytes)), position)
-        })
+        }))
     }
 
     #[inline(always)]
@@ -135,12 +140,12 @@ impl<T: Sampler<Texture: Texture<Color: ChannelColor>>, L: Lighting> Shading for
 impl<T: Sampler, L> LitTexturedSkin<'_, T, L> {
     /// What varies from a vertex on, for the light on the two bytes of a normal.
     #[inline(always)]
-    fn lit_vertex(&self, vertex: usize, light: impl FnOnce([i8; 2]) -> ReflectedLight) -> Perspective<3> {
+    fn lit_vertex(&self, vertex: usize, light: impl FnOnce([i8; 2]) -> ReflectedLight) -> [i16; 3] {
         let [u, v] = self.coordinates.get(vertex).copied().unwrap_or_default();
         let ReflectedLight { diffuse, specular } = light(self.normals.get(vertex).copied().unwrap_or_default());
         let light = ((diffuse + specular).min(FULL) * BRIGHTEST) >> (LIGHT_BITS - LIGHT_FRACTION_BITS);
         // Half a step above, to be rounded to the nearest.
-        Perspective([u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16])
+        [u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16]
     }
 }
 

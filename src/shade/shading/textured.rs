@@ -23,10 +23,13 @@ use crate::{
 
 /// A picture on each face: of a [`Texture`], or of what a [`Sampler`] makes of one.
 ///
-/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Textured<Texels<Rgb565, 64, 64>>>`.
+/// Texture coordinates are divided by the depth at every 16th pixel of a span, or at every `STEP`th ([`Perspective`]).
+///
+/// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Textured<Texels<Rgb565, 64, 64>>>`, or with
+/// divisions at every eighth pixel `Textured<Texels<Rgb565, 64, 64>, 8>`.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Textured<T>(PhantomData<T>);
+pub struct Textured<T, const STEP: i32 = 16>(PhantomData<T>);
 
 /// What [`Textured`] shading takes beside a mesh.
 pub struct TexturedSkin<'a, T: Sampler> {
@@ -58,11 +61,11 @@ impl<T: Sampler> defmt::Format for TexturedSkin<'_, T> {
     }
 }
 
-impl<T: Sampler> Shading for Textured<T> {
+impl<T: Sampler, const STEP: i32> Shading for Textured<T, STEP> {
     type Color = <T::Texture as Texture>::Color;
     type Skin<'a> = TexturedSkin<'a, T>;
     type Uniforms = ();
-    type Attributes = Perspective<2>;
+    type Attributes = Perspective<2, STEP>;
     const TOLERANCE: u16 = tolerance::<T::Texture>();
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
@@ -72,7 +75,7 @@ impl<T: Sampler> Shading for Textured<T> {
     fn uniforms(_: &Self::Skin<'_>, _: &Pose, _: &Camera) {}
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, _: [i32; 3]) -> Perspective<2> {
+    fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, _: [i32; 3]) -> Perspective<2, STEP> {
         Perspective(skin.coordinates.get(vertex).copied().unwrap_or_default())
     }
 

@@ -54,10 +54,11 @@ impl Axis for Perspective {
                      of both coordinates together, in texels, from the exact quotient at the centre of each pixel: in f64, \
                      from the snapped corners and their stored depths, so that neither counts here."
                 ),
-                "Every 16 px: divided at both ends of a span and at each 16th column, evenly in between. The library's \
-                 textures do that only where a face's coordinates, taken evenly over the screen, would be 1/4 texel off \
-                 somewhere. Every px: a shading of the report's own divides both coordinates at each pixel, from planes of \
-                 16 bits, to 1/64 texel."
+                "Every 16, 8 or 1 px: divided at both ends of a span and at each column that is a multiple of that, evenly in \
+                 between. The library's textures do that only where a face's coordinates, taken evenly over the screen, \
+                 would be 1/4 texel off somewhere. Every fragment: a shading of the report's own divides both coordinates of \
+                 each fragment that is seen, from planes of 16 bits, to 1/64 texel; it takes models that are moved along z \
+                 alone."
                     .to_owned(),
                 "Cost: a frame, prepared and drawn: the coordinates are the words. RAM is that of the scene but for its \
                  pixels; flash that of the program that draws the textured teapot for a Cortex-M3 at opt-level \"s\", \

@@ -213,7 +213,7 @@ impl<C: ChannelColor + From<<C as PixelColor>::Raw>, const LIGHTS: usize> AnySha
     }
 }
 
-impl<C: BandColor + From<<C as PixelColor>::Raw>> AnyShading for Textured<Texels<C, 8, 4>> {
+impl<C: BandColor + From<<C as PixelColor>::Raw>, const STEP: i32> AnyShading for Textured<Texels<C, 8, 4>, STEP> {
     fn skin(tables: &Tables<C>) -> TexturedSkin<'_, Texels<C, 8, 4>> {
         TexturedSkin {
             image: &tables.wide,
@@ -545,8 +545,8 @@ impl Case for ShadingCase {
             (Method::Textured, Kind::DeepRgb565) => self.check_kind::<Deep<Textured<Texels<Rgb565, 8, 4>>>>(),
             (Method::Textured, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<Textured<Texels<Rgb565, 8, 4>>>>>(),
             (Method::Textured, Kind::DeepGray8) => self.check_kind::<Deep<Textured<Texels<Gray8, 8, 4>>>>(),
-            (Method::Textured, Kind::FineBinary) => self.check_kind::<Fine<Textured<Texels<BinaryColor, 8, 4>>>>(),
-            (Method::Textured, Kind::Rgb888) => self.check_kind::<Textured<Texels<Rgb888, 8, 4>>>(),
+            (Method::Textured, Kind::FineBinary) => self.check_kind::<Fine<Textured<Texels<BinaryColor, 8, 4>, 8>>>(),
+            (Method::Textured, Kind::Rgb888) => self.check_kind::<Textured<Texels<Rgb888, 8, 4>, 1>>(),
             (Method::LitTextured, Kind::Rgb565) => self.check_kind::<LitTextured<Texels<Rgb565, 1, 16>>>(),
             (Method::LitTextured, Kind::FineRgb565) => {
                 self.check_kind::<Fine<LitTextured<Texels<Rgb565, 1, 16>, Lambert<3>>>>()

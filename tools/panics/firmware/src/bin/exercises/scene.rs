@@ -39,6 +39,7 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<Gouraud<Gray4, Lambert<3>>>,
     shaded::<Textured<Texels<BinaryColor, 8, 4>>>,
     shaded::<Textured<Texels<Rgb565, 64, 64>>>,
+    shaded::<Textured<Texels<Rgb565, 64, 64>, 1>>,
     shaded::<LitTextured<Texels<Rgb565, 64, 64>>>,
     shaded::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>,
     shaded::<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>,
