@@ -240,7 +240,9 @@ fn shading<H: Shading>() {
     keep(<H as Shading>::transformed_vertex(any(), any(), any(), any(), any()));
     keep(<H as Shading>::transformed_face(any(), any(), any(), any(), any()));
     keep(<H as Shading>::bounds(any()));
-    keep((H::TOLERANCE, H::HAS_AFFINE_MAP, H::HAS_BOUNDS));
+    keep(<H as Shading>::is_translucent(any()));
+    keep(<H as Shading>::blend(any(), any(), any(), any()));
+    keep((H::TOLERANCE, H::HAS_AFFINE_MAP, H::HAS_BOUNDS, H::BLENDS));
 }
 
 #[inline(never)]
