@@ -40,9 +40,9 @@ pub struct CircleInput {
 /// A way to draw a circle.
 #[derive(Debug)]
 pub struct CircleMethod {
-    /// As in tables.
+    /// The name of this entry in the report's tables.
     pub name: &'static str,
-    /// What the chips call it.
+    /// The name of this entry in what the firmware on the emulated chips reports.
     pub variant: &'static str,
     points: fn(f64) -> Points,
     draw: fn(&CircleInput, &mut [u8]),

@@ -15,9 +15,9 @@ use crate::{
 /// A precision of corners.
 #[derive(Debug, Clone, Copy)]
 pub struct Precision {
-    /// As in tables.
+    /// The name of this entry in the report's tables.
     pub name: &'static str,
-    /// What the chips call it.
+    /// The name of this entry in what the firmware on the emulated chips reports.
     pub variant: &'static str,
     /// So many are a pixel: those of the shapes that are rounded to it.
     pub units: i32,

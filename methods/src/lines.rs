@@ -45,9 +45,9 @@ pub fn cut_lines() -> impl Iterator<Item = Line> {
 /// How far off the screen the ends of walked lines are.
 #[derive(Debug, Clone, Copy)]
 pub struct LineGroup {
-    /// As in tables.
+    /// The name of this entry in the report's tables.
     pub name: &'static str,
-    /// What the chips report its counts as.
+    /// The name under which the firmware on the emulated chips reports the counts of this entry.
     pub count: &'static str,
     margin: i32,
 }

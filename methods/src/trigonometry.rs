@@ -9,9 +9,9 @@ use zrow::scene::Rotation;
 /// A way to the sine and the cosine of an angle.
 #[derive(Debug, Clone, Copy)]
 pub struct Trigonometry {
-    /// As in tables.
+    /// The name of this entry in the report's tables.
     pub name: &'static str,
-    /// What the chips call it.
+    /// The name of this entry in what the firmware on the emulated chips reports.
     pub variant: &'static str,
     /// Bytes of tables, which lie in flash.
     pub table_bytes: usize,

@@ -22,11 +22,11 @@ pub const FACES: usize = 32;
 pub struct SpaceInput {
     /// The distance of the near plane.
     pub near: i32,
-    /// Where the model is.
+    /// The position and the rotation of the model in the world.
     pub pose: Pose,
-    /// Its vertices.
+    /// The vertices of the model.
     pub vertices: Vec<[i16; 3], VERTICES>,
-    /// Its faces, by their vertices.
+    /// The faces of the model, as indices of three of its vertices each.
     pub faces: Vec<[u16; 3], FACES>,
     /// A pair of numbers for each vertex: texture coordinates.
     pub coordinates: Vec<[i16; 2], VERTICES>,

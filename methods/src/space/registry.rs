@@ -3,9 +3,9 @@
 /// A way to draw small scenes.
 #[derive(Debug, Clone, Copy)]
 pub struct SpaceMethod {
-    /// As in tables.
+    /// The name of this entry in the report's tables.
     pub name: &'static str,
-    /// What the chips call it.
+    /// The name of this entry in what the firmware on the emulated chips reports.
     pub variant: &'static str,
     /// The distance of the near plane.
     pub near: i32,

@@ -1,4 +1,4 @@
-//! What small scenes show: which face is seen, or a texture coordinate.
+//! Shadings whose pictures are numbers: the index of the face that is seen at a pixel, or one of its texture coordinates.
 
 use embedded_graphics::pixelcolor::{Rgb888, raw::RawU24};
 use zrow::{
@@ -91,7 +91,8 @@ impl<const TOLERANCE: u16, const STEP: i32> SpaceShading for InSpace<TOLERANCE, 
 
 /// Texture coordinates in perspective, divided at every pixel: of models that are moved along z alone.
 ///
-/// What varies evenly on the screen are coordinates divided by the distance, and 1 divided by the distance, 16 bits each.
+/// Three numbers of 16 bits are interpolated evenly on the screen: both texture coordinates divided by the distance, and 1
+/// divided by the distance. A fragment divides the first two by the third one.
 #[derive(Debug)]
 pub struct EveryPixel;
 

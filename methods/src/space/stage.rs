@@ -23,20 +23,20 @@ pub trait SpaceRun {
     /// Prepares a frame and nothing else.
     ///
     /// # Errors
-    /// It does not fit.
+    /// The scene does not fit the memory that the frame is prepared in.
     fn prepare(&mut self, input: &SpaceInput) -> Result<(), InputError>;
 
     /// Draws a frame and returns its words; 0 where nothing is. Where faces show numbers of their vertices, the first or the
     /// second one.
     ///
     /// # Errors
-    /// It does not fit.
+    /// The scene does not fit the memory that the frame is prepared in.
     fn draw(&mut self, input: &SpaceInput, shown: usize) -> Result<&[u32], InputError>;
 
     /// Hands over each face as it was snapped: its index and its corners.
     ///
     /// # Errors
-    /// It does not fit.
+    /// The scene does not fit the memory that the frame is prepared in.
     fn faces(&mut self, input: &SpaceInput, face: &mut dyn FnMut(usize, [ScreenCorner; 3])) -> Result<(), InputError>;
 }
 
