@@ -24,6 +24,7 @@ where
     type Precision = S;
     type Depth = D;
     type Counting = ();
+    type Silhouettes = ();
     const CLIPS: bool = CLIPS;
     const DRAWS_IN_PASSES: bool = PASSES;
 }

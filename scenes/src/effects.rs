@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    scene::{Deep, Fine, Model, OnePass, Whole},
+    scene::{Antialiased, Deep, FaceSet, Fine, Model, OnePass, Whole},
     shade::{
         Bilinear, Blinn, CutOut, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, LitTextured,
         LitTexturedSkin, PointLight, Texels, Textured, TexturedSkin, Translucent,
@@ -13,7 +13,7 @@ use zrow::{
 use crate::{
     paint::rgb,
     standard::{Subject, Turning},
-    teapot::{TEAPOT, TEAPOT_COLORS, TEAPOT_COORDINATES, TEAPOT_NORMALS},
+    teapot::{TEAPOT, TEAPOT_COLORS, TEAPOT_COORDINATES, TEAPOT_NEIGHBOURS, TEAPOT_NORMALS},
     teapots::{CLAY, DISTANCE, LIGHT, PORCELAIN, PORTRAIT, SIZE, TEXELS, porcelain, shaded},
 };
 
@@ -107,8 +107,11 @@ const fn number(texel: u16) -> u8 {
     number as u8
 }
 
+/// The pot as a surface: each face knows its neighbours.
+const SURFACE: FaceSet = TEAPOT.with_neighbours(&TEAPOT_NEIGHBOURS);
+
 macro_rules! pots {
-    ($($(#[$doc:meta])+ $pot:ident: $name:literal, $title:literal, $shading:ty, $skin:expr;)+) => {$(
+    ($($(#[$doc:meta])+ $pot:ident: $name:literal, $title:literal, $mesh:expr, $shading:ty, $skin:expr;)+) => {$(
         $(#[$doc])+
         #[derive(Debug)]
         pub struct $pot;
@@ -122,7 +125,7 @@ macro_rules! pots {
             type Shading = $shading;
 
             fn model() -> Model<'static, Self::Shading> {
-                shaded(TEAPOT, $skin)
+                shaded($mesh, $skin)
             }
         }
     )+};
@@ -130,51 +133,58 @@ macro_rules! pots {
 
 pots! {
     /// In one colour, in the light of a lamp.
-    LampPot: "teapot-lamp", "Utah teapot by a lamp", Gouraud<Rgb565, Lambert<0, 1>>, GouraudSkin {
+    LampPot: "teapot-lamp", "Utah teapot by a lamp", TEAPOT, Gouraud<Rgb565, Lambert<0, 1>>, GouraudSkin {
         colors: CLAY,
         normals: &TEAPOT_NORMALS,
         lights: LAMPLIGHT,
     };
     /// In one colour, with highlights.
-    GlazedPot: "teapot-glazed", "Utah teapot with highlights", Gouraud<Rgb565, Blinn<1>>, GouraudSkin {
+    GlazedPot: "teapot-glazed", "Utah teapot with highlights", TEAPOT, Gouraud<Rgb565, Blinn<1>>, GouraudSkin {
         colors: CLAY,
         normals: &TEAPOT_NORMALS,
         lights: GLAZE,
     };
     /// With a texture, without light.
-    UnlitPot: "teapot-unlit", "Utah teapot, textured", Textured<Texels<Rgb565, TEXELS, TEXELS>>, TexturedSkin {
+    UnlitPot: "teapot-unlit", "Utah teapot, textured", TEAPOT, Textured<Texels<Rgb565, TEXELS, TEXELS>>, TexturedSkin {
         image: &PORCELAIN,
         coordinates: &TEAPOT_COORDINATES,
     };
     /// With a texture whose texels are mixed, without light.
-    UnlitSmoothPot: "teapot-unlit-smooth", "Utah teapot, bilinear", Textured<Bilinear<Texels<Rgb565, TEXELS, TEXELS>>>, TexturedSkin {
+    UnlitSmoothPot: "teapot-unlit-smooth", "Utah teapot, bilinear", TEAPOT, Textured<Bilinear<Texels<Rgb565, TEXELS, TEXELS>>>, TexturedSkin {
         image: &PORCELAIN,
         coordinates: &TEAPOT_COORDINATES,
     };
     /// With a texture whose texels are mixed, under a light.
-    SmoothPot: "teapot-smooth", "Utah teapot, lit and bilinear", LitTextured<Bilinear<Texels<Rgb565, TEXELS, TEXELS>>>, LitTexturedSkin {
+    SmoothPot: "teapot-smooth", "Utah teapot, lit and bilinear", TEAPOT, LitTextured<Bilinear<Texels<Rgb565, TEXELS, TEXELS>>>, LitTexturedSkin {
         image: &PORCELAIN,
         coordinates: &TEAPOT_COORDINATES,
         normals: &TEAPOT_NORMALS,
         lights: LIGHT,
     };
     /// With a texture of 16 colours, without light.
-    IndexedPot: "teapot-indexed", "Utah teapot in 16 colours", Textured<SixteenColors>, TexturedSkin {
+    IndexedPot: "teapot-indexed", "Utah teapot in 16 colours", TEAPOT, Textured<SixteenColors>, TexturedSkin {
         image: PORCELAIN_INDEXED,
         coordinates: &TEAPOT_COORDINATES,
     };
     /// With a texture of 16 colours of which the first is a hole, without light.
-    LacePot: "teapot-lace", "Utah teapot with holes", Textured<CutOut<SixteenColors>>, TexturedSkin {
+    LacePot: "teapot-lace", "Utah teapot with holes", TEAPOT, Textured<CutOut<SixteenColors>>, TexturedSkin {
         image: PORCELAIN_INDEXED,
         coordinates: &TEAPOT_COORDINATES,
     };
     /// In a colour for each face, in fog.
-    FoggyPot: "teapot-fog", "Utah teapot in fog", Foggy<Rgb565>, (TEAPOT_COLORS.as_slice(), FOG);
+    FoggyPot: "teapot-fog", "Utah teapot in fog", TEAPOT, Foggy<Rgb565>, (TEAPOT_COLORS.as_slice(), FOG);
     /// In a colour for each face, half of what is behind it seen through it.
-    TranslucentPot: "teapot-translucent", "Utah teapot, translucent", Translucent<Rgb565>, (TEAPOT_COLORS.as_slice(), 128);
+    TranslucentPot: "teapot-translucent", "Utah teapot, translucent", TEAPOT, Translucent<Rgb565>, (TEAPOT_COLORS.as_slice(), 128);
+    /// In one colour under a light, each of its faces knows its neighbours.
+    SmoothSurfacePot: "teapot-antialiased", "Utah teapot, antialiased silhouettes", SURFACE, Gouraud<Rgb565>, GouraudSkin {
+        colors: CLAY,
+        normals: &TEAPOT_NORMALS,
+        lights: LIGHT,
+    };
+    /// In a colour for each face, each of which knows its neighbours.
+    SurfacePot: "teapot-surface", "Utah teapot, silhouettes", SURFACE, Rgb565, TEAPOT_COLORS.as_slice();
     /// With everything at once.
-    EverythingPot: "teapot-everything", "Utah teapot with every effect",
-        Foggy<Translucent<LitTextured<Bilinear<CutOut<SixteenColors>>, Blinn<1, 1>>>>, (
+    EverythingPot: "teapot-everything", "Utah teapot with every effect", SURFACE,         Foggy<Translucent<LitTextured<Bilinear<CutOut<SixteenColors>>, Blinn<1, 1>>>>, (
             (
                 LitTexturedSkin {
                     image: PORCELAIN_INDEXED,
@@ -189,7 +199,10 @@ pots! {
 }
 
 /// The teapot with one effect or all of them, turning: up to 91 faces cross a row.
-pub type TurningPot<S> = Turning<S, { TEAPOT.vertices().len() }, { TEAPOT.faces().len() }, 240, 320, 91>;
+pub type TurningPot<S, L = ShadingOf<S>> =
+    Turning<S, { TEAPOT.vertices().len() }, { TEAPOT.faces().len() }, 240, 320, 91, L>;
+/// The teapot with antialiased silhouettes.
+pub type AntialiasedPot = TurningPot<SmoothSurfacePot, Antialiased<Gouraud<Rgb565>>>;
 
 /// The plainest look of a subject: no face is cut, no row drawn in passes.
 pub type Plain<S> = Whole<OnePass<ShadingOf<S>>>;
@@ -220,6 +233,7 @@ macro_rules! effects {
             lit_bilinear: "a texture under a light, bilinear", $crate::effects::SmoothPot, [$crate::effects::Plain];
             fog: "fog", $crate::effects::FoggyPot, [$crate::effects::Plain];
             translucent: "translucent faces", $crate::effects::TranslucentPot, [$crate::effects::Plain];
+            silhouettes: "antialiased silhouettes", $crate::effects::SurfacePot, [$crate::effects::WithSilhouettes];
             everything: "everything at once", $crate::effects::EverythingPot, [$crate::effects::WithEverything];
         }
     };
@@ -233,5 +247,7 @@ pub type InPasses<S> = Whole<ShadingOf<S>>;
 pub type AtFinePositions<S> = Fine<Plain<S>>;
 /// The plainest look of a subject with depths of 32 bits.
 pub type WithDeepDepths<S> = Deep<Plain<S>>;
+/// The plainest look of a subject with antialiased silhouettes.
+pub type WithSilhouettes<S> = Antialiased<Plain<S>>;
 /// Whatever a look can have.
-pub type WithEverything<S> = Fine<Deep<ShadingOf<S>>>;
+pub type WithEverything<S> = Antialiased<Fine<Deep<ShadingOf<S>>>>;

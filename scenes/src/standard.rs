@@ -57,17 +57,27 @@ pub trait Subject: core::fmt::Debug {
     fn model() -> Model<'static, Self::Shading>;
 }
 
-/// A mesh of `V` vertices and `F` faces that turns on a panel of `COLUMNS` by `ROWS` pixels; up to `A` faces cross a row.
+/// A mesh of `V` vertices and `F` faces that turns on a panel of `COLUMNS` by `ROWS` pixels; up to `A` faces cross a row. Its look
+/// is the shading, where no other one is named.
 #[derive(Debug)]
-pub struct Turning<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize>
-{
-    memory: Memory<S::Shading, V, F, COLUMNS, ROWS, A>,
+pub struct Turning<
+    S: Subject,
+    const V: usize,
+    const F: usize,
+    const COLUMNS: usize,
+    const ROWS: usize,
+    const A: usize,
+    L: Look<Color = Rgb565, Shading = S::Shading> = <S as Subject>::Shading,
+> {
+    memory: Memory<L, V, F, COLUMNS, ROWS, A>,
     models: [Model<'static, S::Shading>; 1],
     subject: PhantomData<S>,
 }
 
-impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize> Default
-    for Turning<S, V, F, COLUMNS, ROWS, A>
+impl<S: Subject, L, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize> Default
+    for Turning<S, V, F, COLUMNS, ROWS, A, L>
+where
+    L: Look<Color = Rgb565, Shading = S::Shading>,
 {
     fn default() -> Self {
         Self {
@@ -78,12 +88,14 @@ impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROW
     }
 }
 
-impl<S: Subject, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize> Scene
-    for Turning<S, V, F, COLUMNS, ROWS, A>
+impl<S: Subject, L, const V: usize, const F: usize, const COLUMNS: usize, const ROWS: usize, const A: usize> Scene
+    for Turning<S, V, F, COLUMNS, ROWS, A, L>
+where
+    L: Look<Color = Rgb565, Shading = S::Shading>,
 {
     type Color = Rgb565;
     type Prepared<'s>
-        = scene::Prepared<'s, 'static, S::Shading>
+        = scene::Prepared<'s, 'static, L>
     where
         S: 's;
     const NAME: &'static str = S::NAME;

@@ -48,9 +48,9 @@ mod samples;
 mod sweep;
 
 pub use any_coverage::AnyCoverage;
-pub(crate) use area::{Combination, CombinedArea, UnorderedRow};
+pub(crate) use area::{AREA_BITS, Cell, Combination, CombinedArea, UnorderedRow, for_each_visible_cell};
 pub use area::{InsideArea, SignedArea};
-pub(crate) use edges::{RowSegment, Rows};
+pub(crate) use edges::{COVER_BITS, RowSegment, Rows, X_BITS, X_ONE};
 pub(crate) use emit::{ByReference, Emit, EmitRows};
 pub(crate) use line::FilteredSegment;
 pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, SamplePattern, SubScanlines};
@@ -58,7 +58,6 @@ pub use samples::{Bartlett, BoxFilter, CentreSample, Gaussian, Grid, Rooks, Samp
 use core::ops::Range;
 
 use crate::{
-    coverage::edges::X_ONE,
     geometry::{Sub8, SubPixel},
     scan::polygon::scanline_polygon::FillRule,
 };

@@ -2,6 +2,7 @@
 
 mod bounding_box;
 mod face_set;
+mod neighbours;
 mod octahedral_normal;
 
 pub use bounding_box::BoundingBox;

@@ -1,7 +1,7 @@
 //! The memory of a scene as a frame uses it: slices, whatever the capacities.
 
 use crate::{
-    scene::Look,
+    scene::{Look, silhouette_tables::SilhouetteTables},
     shade::Shading,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveList, NONE},
@@ -46,6 +46,7 @@ pub struct Frame<'m, L: Look> {
     pub(super) tables: Tables<'m, L>,
     /// The depth row.
     pub(super) depths: &'m mut [L::Depth],
+    pub(super) silhouettes: SilhouetteTables<'m, L>,
     pub(super) active: &'m mut ActiveListOf<L>,
 }
 
@@ -124,6 +125,7 @@ impl<L: Look> Frame<'_, L> {
         Frame {
             tables: self.tables.reborrow(),
             depths: self.depths,
+            silhouettes: self.silhouettes.reborrow(),
             active: self.active,
         }
     }

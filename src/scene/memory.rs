@@ -5,10 +5,11 @@ use crate::{
     scene::{
         Frame, Look, Model, Prepared,
         frame::{AttributesOf, RowStart, Tables},
+        silhouette_tables::{ColumnOf, FaceEdgesOf, SilhouetteTables},
     },
     shade::Attributes,
     view::{Camera, DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::{ActiveFace, ActiveFaces},
+    visible::{ActiveFace, ActiveFaces, Entry},
 };
 
 /// A slot of the active list.
@@ -28,7 +29,8 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 ///   [`Prepared::active_needed`] says with how many each row takes one pass.
 ///
 /// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 52 an active face, and 48. What varies over
-/// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) and 12 an active face. All zero bits
+/// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) and 12 an active face; silhouettes that are
+/// [`Antialiased`](crate::scene::Antialiased) take 12 bytes a column, 4 a face and 4 a row. All zero bits
 /// when new, so that a `static` lies in `.bss`.
 ///
 /// ```
@@ -67,6 +69,9 @@ pub struct Memory<
     next: [u16; FACES],
     rows: [RowStart; HEIGHT],
     depths: [L::Depth; WIDTH],
+    columns: [ColumnOf<L>; WIDTH],
+    edges_of_faces: [FaceEdgesOf<L>; FACES],
+    edges_of_rows: [FaceEdgesOf<L>; HEIGHT],
     active: ActiveFaces<[SlotOf<L>; ACTIVE]>,
 }
 
@@ -85,6 +90,9 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
             next: [0; FACES],
             rows: [RowStart::ZERO; HEIGHT],
             depths: [L::Depth::FARTHEST; WIDTH],
+            columns: [<ColumnOf<L> as Entry>::EMPTY; WIDTH],
+            edges_of_faces: [<FaceEdgesOf<L> as Entry>::EMPTY; FACES],
+            edges_of_rows: [<FaceEdgesOf<L> as Entry>::EMPTY; HEIGHT],
             active: ActiveFaces::EMPTY,
         }
     }
@@ -99,6 +107,11 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
                 rows: &mut self.rows,
             },
             depths: &mut self.depths,
+            silhouettes: SilhouetteTables {
+                columns: &mut self.columns,
+                faces: &mut self.edges_of_faces,
+                rows: &mut self.edges_of_rows,
+            },
             active: &mut self.active,
         }
     }

@@ -54,6 +54,8 @@ mod prepare;
 mod prepared;
 mod prepared_faces;
 mod scene_item;
+mod silhouette_tables;
+mod silhouettes;
 
 pub use crate::{
     mesh::{BoundingBox, FaceSet},
@@ -61,7 +63,7 @@ pub use crate::{
 };
 pub use counters::Counters;
 pub use frame::Frame;
-pub use look::{Counted, Deep, DoubleSided, Fine, Look, OnePass, Orthographic, Unhurried, Whole};
+pub use look::{Antialiased, Counted, Deep, DoubleSided, Fine, Look, OnePass, Orthographic, Unhurried, Whole};
 pub use memory::Memory;
 pub use model::Model;
 pub use prepared::Prepared;

@@ -10,7 +10,8 @@ use crate::{
         culling::faces_left_out,
         faces::{self, ScreenFace},
         frame::ActiveListOf,
-        prepared_faces::PreparedFaces,
+        prepared_faces::{PreparedFaces, RowMemory},
+        silhouette_tables::SilhouetteTables,
     },
     surface::Order,
     view::Camera,
@@ -22,6 +23,7 @@ use crate::{
 pub struct Prepared<'f, 'm, L: Look> {
     faces: PreparedFaces<'f, 'm, L>,
     depths: &'f mut [L::Depth],
+    silhouettes: SilhouetteTables<'f, L>,
     active: &'f mut ActiveListOf<L>,
     fragments: Range<usize>,
 }
@@ -36,10 +38,16 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         models: &'f [Model<'m, L::Shading>],
     ) -> Result<Self, InputError> {
         let fragments = frame.fill(camera, models)?;
-        let Frame { tables, depths, active } = frame;
+        let Frame {
+            tables,
+            depths,
+            silhouettes,
+            active,
+        } = frame;
         Ok(Self {
             faces: PreparedFaces::new(tables, models, camera),
             depths,
+            silhouettes,
             active,
             fragments,
         })
@@ -50,8 +58,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// Pixels of the viewport outside the band, and of the band outside the viewport, are left alone.
     pub fn draw<O: Order>(&mut self, band: &mut Band<'_, L::Color, O>) {
-        let depth_use = DepthUse::WhereFacesMayOverlap;
-        self.faces.draw(self.active, self.depths, band, depth_use, |_| {});
+        self.draw_rows(band, DepthUse::WhereFacesMayOverlap, |_| {});
     }
 
     /// Draws as [`draw`](Self::draw) does, and hands over each row when the scene is in it, so that more can be drawn
@@ -64,7 +71,22 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         band: &mut Band<'_, L::Color, O>,
         more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
     ) {
-        self.faces.draw(self.active, self.depths, band, DepthUse::Always, more);
+        self.draw_rows(band, DepthUse::Always, more);
+    }
+
+    #[inline]
+    fn draw_rows<O: Order>(
+        &mut self,
+        band: &mut Band<'_, L::Color, O>,
+        depth_use: DepthUse,
+        more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
+    ) {
+        let rows = RowMemory {
+            active: self.active,
+            depths: self.depths,
+            silhouettes: &mut self.silhouettes,
+        };
+        self.faces.draw(rows, band, depth_use, more);
     }
 
     /// How many rows [`draw`](Self::draw) has drawn without depths since the frame was prepared, because no face overlapped

@@ -7,6 +7,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     band::Band,
+    coverage::Coverage,
     geometry::{Window, offset_from},
     scene::{
         Look, Model,
@@ -15,11 +16,12 @@ use crate::{
         frame::{ActiveListOf, AttributesOf, FRAGMENT, FRAGMENT_VERTICES, RowStart, Tables, corners, is_whole},
         model::outward,
         preparation::clockwise,
+        silhouette_tables::SilhouetteTables,
     },
     shade::{Planes, Shading},
     surface::{BandColor, Order, Target},
     view::{Camera, ScreenVertex},
-    visible::{ColoredFace, Count, DepthRow, DepthUse, FaceTable, NONE},
+    visible::{ColoredFace, Count, DepthRow, DepthUse, FaceTable, NONE, RowEdges, Silhouettes},
 };
 
 /// A face of a frame with its colour, as the row loop takes it.
@@ -31,6 +33,13 @@ type SkinOf<'m, L> = (<<L as Look>::Shading as Shading>::Skin<'m>, UniformsOf<L>
 /// What is the same for all vertices of a model in a frame.
 type UniformsOf<L> = <<L as Look>::Shading as Shading>::Uniforms;
 
+/// What drawing takes beside the tables of a frame: the active list, the depth row, and the silhouettes.
+pub(super) struct RowMemory<'r, 'm, L: Look> {
+    pub(super) active: &'r mut ActiveListOf<L>,
+    pub(super) depths: &'r mut [L::Depth],
+    pub(super) silhouettes: &'r mut SilhouetteTables<'m, L>,
+}
+
 /// The filled tables of a frame, and the models that they were filled from. Kept from row to row.
 pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     pub(super) vertices: &'f [ScreenVertex<L::Precision, L::Depth>],
@@ -39,7 +48,7 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     rows: &'f [RowStart],
     pub(super) models: &'f [Model<'m, L::Shading>],
     /// The faces of the first model, its skin and its uniforms.
-    first_faces: &'f [[u16; 3]],
+    pub(super) first_faces: &'f [[u16; 3]],
     first_skin: Option<SkinOf<'m, L>>,
     pub(super) viewport: Window,
     camera: Camera,
@@ -72,12 +81,16 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     /// Draws the rows of a band, as they were prepared for a viewport, and hands each of them over.
     pub(super) fn draw<O: Order>(
         &self,
-        active: &mut ActiveListOf<L>,
-        depths: &mut [L::Depth],
+        rows: RowMemory<'_, '_, L>,
         band: &mut Band<'_, L::Color, O>,
         depth_use: DepthUse,
         mut more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
     ) {
+        let RowMemory {
+            active,
+            depths,
+            silhouettes,
+        } = rows;
         let depth_use = if L::HURRIES { depth_use } else { DepthUse::Always };
         let window = self.viewport.intersection(&band.window());
         if window.width() == 0 {
@@ -86,13 +99,29 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
         for y in window.top..window.bottom {
             if let Some(mut row) = DepthRow::new(band, &window, y, depths) {
                 self.counting.count().row();
-                if L::DRAWS_IN_PASSES && active.needs_passes() {
-                    active.draw_row_in_passes(self, &mut row);
+                if L::Silhouettes::BY_AREA {
+                    let edges = self.begin_silhouettes(silhouettes, &row, active.is_at(&row));
+                    self.draw_row(active, &mut row, depth_use, edges);
                 } else {
-                    active.draw_row(self, &mut row, depth_use);
+                    self.draw_row(active, &mut row, depth_use, ());
                 }
                 more(&mut row);
             }
+        }
+    }
+
+    #[inline(always)]
+    fn draw_row<O: Order>(
+        &self,
+        active: &mut ActiveListOf<L>,
+        row: &mut DepthRow<'_, L::Color, O, L::Depth>,
+        depth_use: DepthUse,
+        edges: impl RowEdges<<L::Color as BandColor>::Word, L::Depth>,
+    ) {
+        if L::DRAWS_IN_PASSES && active.needs_passes() {
+            active.draw_row_in_passes(self, row, edges);
+        } else {
+            active.draw_row(self, row, depth_use, edges);
         }
     }
 
@@ -200,6 +229,7 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
 impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFaces<'_, 'm, L> {
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
     const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
+    const ANTIALIASES: bool = L::Silhouettes::BY_AREA;
     type Count<'c>
         = <L::Counting as Counting>::Count<'c>
     where
@@ -313,6 +343,16 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         position: Point,
     ) -> <L::Color as BandColor>::Word {
         L::Shading::blend(skin, fragment, behind, position)
+    }
+
+    #[inline]
+    fn mix(
+        fragment: <L::Color as BandColor>::Word,
+        behind: <L::Color as BandColor>::Word,
+        coverage: Coverage,
+        position: Point,
+    ) -> <L::Color as BandColor>::Word {
+        L::Silhouettes::mix(fragment, behind, coverage, position)
     }
 }
 

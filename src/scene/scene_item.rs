@@ -10,7 +10,10 @@ use crate::{
     band::Band,
     draw::PictureItem,
     geometry::{InputError, SubPixel, Window},
-    scene::{Frame, Look, Model, faces, prepared_faces::PreparedFaces},
+    scene::{
+        Frame, Look, Model, faces,
+        prepared_faces::{PreparedFaces, RowMemory},
+    },
     surface::Order,
     view::Camera,
     visible::DepthUse,
@@ -171,9 +174,19 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
         else {
             return;
         };
-        let Frame { tables, depths, active } = frame.reborrow();
+        let Frame {
+            tables,
+            depths,
+            mut silhouettes,
+            active,
+        } = frame.reborrow();
         let faces = PreparedFaces::new(tables, models, camera);
-        faces.draw(active, depths, band, DepthUse::WhereFacesMayOverlap, |_| {});
+        let rows = RowMemory {
+            active,
+            depths,
+            silhouettes: &mut silhouettes,
+        };
+        faces.draw(rows, band, DepthUse::WhereFacesMayOverlap, |_| {});
     }
 }
 

@@ -10,17 +10,19 @@
 use crate::{
     clip::convex::CutAttributes,
     shade::{Planes, Shading},
-    surface::Order,
+    surface::{BandColor, Order},
     view::{DepthWidth, ScreenPrecision},
     visible::{
         DepthRow,
-        active_face::{ActiveFace, NOTHING, Surroundings},
+        active_face::{ActiveFace, NOTHING, Surroundings, WordOf},
         attribute_planes::set_up_attributes,
         count::Count,
         face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
         shaded_span::{is_seen, shaded_row, span_around, word_at},
         sides::Sides,
+        silhouette_pixels::{InSlots, mix_silhouettes},
+        silhouette_row::RowEdges,
     },
 };
 
@@ -104,15 +106,20 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
 
     /// Draws all faces of a row.
     #[inline(never)]
-    pub(crate) fn draw_row<F, O, D>(&mut self, faces: &F, row: &mut DepthRow<'_, H::Color, O, D>, depth_use: DepthUse)
-    where
+    pub(crate) fn draw_row<F, O, D>(
+        &mut self,
+        faces: &F,
+        row: &mut DepthRow<'_, H::Color, O, D>,
+        depth_use: DepthUse,
+        mut edges: impl RowEdges<WordOf<H>, D>,
+    ) where
         F: FaceTable<S, D, H>,
         O: Order,
         D: DepthWidth,
     {
-        let may_be_disjoint = depth_use == DepthUse::WhereFacesMayOverlap && !H::Attributes::NEED_DEPTH && !H::BLENDS;
-        let follows = self.next_row == row.y && self.first_column == row.left;
-        if !follows || (self.disjoint && !may_be_disjoint) {
+        let may_be_disjoint =
+            depth_use == DepthUse::WhereFacesMayOverlap && !H::Attributes::NEED_DEPTH && !steps_at_end::<_, _, _, F>();
+        if !self.is_at(row) || (self.disjoint && !may_be_disjoint) {
             self.first_column = row.left;
             self.enter(faces, row.y, may_be_disjoint);
         } else {
@@ -142,8 +149,37 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         } else {
             self.draw_all_spans(faces, row);
         }
+        if let Some(mut edges) = edges.columns() {
+            mix_silhouettes(faces, row, &mut edges, &InSlots(self.in_use()));
+        }
         if H::BLENDS {
             self.blend_row(faces, row);
+        } else if F::ANTIALIASES {
+            self.take_all_down(row.y + 1);
+        }
+    }
+
+    /// Whether a row is the one that comes next.
+    #[inline]
+    pub(crate) fn is_at<C: BandColor, O: Order, D: DepthWidth>(&self, row: &DepthRow<'_, C, O, D>) -> bool {
+        self.next_row == row.y && self.first_column == row.left
+    }
+
+    /// The faces of all slots in use, one after the other.
+    pub(super) fn in_use(&self) -> &[ActiveFace<S, H>] {
+        self.slots.get(..usize::from(self.used)).unwrap_or_default()
+    }
+
+    /// Takes all faces to the next row, and gives the slots of those free that have ended.
+    #[inline(never)]
+    pub(super) fn take_all_down(&mut self, next_row: i32) {
+        let active = self.slots.get_mut(..usize::from(self.used)).unwrap_or_default();
+        for (slot, face) in (0..).zip(active) {
+            face.next_span();
+            if !face.begin_row(next_row) {
+                face.set_next_free(self.free);
+                self.free = slot;
+            }
         }
     }
 
@@ -158,7 +194,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     }
 
     /// Draws the spans of a row with depths. Takes each face to the next row, and gives the slots of those free that have
-    /// ended; where faces may be translucent, [`blend_row`](Self::blend_row) does so after it has drawn those.
+    /// ended, unless the faces are needed once more.
     #[inline(always)]
     fn draw_all_spans<O, D>(&mut self, faces: &impl FaceTable<S, D, H>, row: &mut DepthRow<'_, H::Color, O, D>)
     where
@@ -200,13 +236,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// Draws the spans of a row with depths from a slot on, up to a tie. Takes each face to the next row, and gives the
     /// slots of those free that have ended.
     #[inline]
-    fn draw_spans<O, D>(
-        &mut self,
-        faces: &impl FaceTable<S, D, H>,
-        first_slot: u16,
-        row: &mut DepthRow<'_, H::Color, O, D>,
-    ) -> Option<Tie>
+    fn draw_spans<F, O, D>(&mut self, faces: &F, first_slot: u16, row: &mut DepthRow<'_, H::Color, O, D>) -> Option<Tie>
     where
+        F: FaceTable<S, D, H>,
         O: Order,
         D: DepthWidth,
     {
@@ -218,7 +250,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         while let [face, others @ ..] = active {
             // Counted where it is needed, from what is left: that is seldom.
             let index = || used - others.len() as u16 - 1;
-            let [start, end] = if H::BLENDS { face.span() } else { face.next_span() };
+            let steps_at_end = steps_at_end::<_, _, _, F>();
+            let [start, end] = if steps_at_end { face.span() } else { face.next_span() };
             let left_over = if face.is_translucent() {
                 None
             } else if H::Attributes::VARY {
@@ -238,7 +271,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 });
                 break;
             }
-            if !H::BLENDS && !face.begin_row(next_row) {
+            if !steps_at_end && !face.begin_row(next_row) {
                 face.set_next_free(free);
                 free = index();
             }
@@ -296,7 +329,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 }
             });
         }
-        if !H::BLENDS && !face.begin_row_seldom(y + 1) {
+        if !steps_at_end::<_, _, _, F>() && !face.begin_row_seldom(y + 1) {
             face.set_next_free(self.free);
             self.free = tie.index;
         }
@@ -500,6 +533,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             None => self.first = next,
         }
     }
+}
+
+/// Whether the faces of a row are needed once more when its opaque spans are drawn, and taken to the next row after that.
+const fn steps_at_end<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>() -> bool {
+    H::BLENDS || F::ANTIALIASES
 }
 
 /// How many pixels of a span lie in a row of so many.

@@ -91,13 +91,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     ) {
         let active = self.slots.get_mut(..usize::from(self.used)).unwrap_or_default();
         blend_faces(faces, row, &|visit| active.iter().for_each(visit));
-        for (slot, face) in (0..).zip(active) {
-            face.next_span();
-            if !face.begin_row_seldom(row.y + 1) {
-                face.set_next_free(self.free);
-                self.free = slot;
-            }
-        }
+        self.take_all_down(row.y + 1);
     }
 }
 

@@ -53,6 +53,18 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         PixelWord::fill(self.depths, not_constant(D::FARTHEST));
     }
 
+    /// The column and the row of the first pixel.
+    #[inline]
+    pub(crate) fn start(&self) -> [i32; 2] {
+        [self.left, self.y]
+    }
+
+    /// The pixels of the row.
+    #[inline]
+    pub(crate) fn words(&self) -> &[C::Word] {
+        self.words
+    }
+
     /// The number of the row in the picture.
     pub const fn y(&self) -> i32 {
         self.y

@@ -3,6 +3,7 @@
 use embedded_graphics::geometry::Point;
 
 use crate::{
+    coverage::Coverage,
     geometry::Window,
     shade::{Planes, Shading},
     view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
@@ -24,6 +25,8 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     const DRAWS_IN_PASSES: bool;
     /// Whether what varies evenly in space does so on the screen: whether rays are parallel.
     const IS_ORTHOGRAPHIC: bool;
+    /// Whether silhouettes are drawn by area.
+    const ANTIALIASES: bool;
     /// What counts.
     type Count<'c>: Count
     where
@@ -64,6 +67,8 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     fn is_blended(skin: &Self::Skin) -> bool;
     /// The word of a pixel, mixed with the one behind it, both in the machine's byte order ([`Shading::blend`]).
     fn blend(skin: &Self::Skin, fragment: WordOf<H>, behind: WordOf<H>, position: Point) -> WordOf<H>;
+    /// The word of a pixel of which a part is covered, all of them in the machine's byte order.
+    fn mix(fragment: WordOf<H>, behind: WordOf<H>, coverage: Coverage, position: Point) -> WordOf<H>;
 }
 
 /// Sets up the parts of a face that are not small.

@@ -24,6 +24,8 @@ mod passes;
 mod row_in_passes;
 mod shaded_span;
 mod sides;
+mod silhouette_pixels;
+mod silhouette_row;
 
 pub use depth_row::DepthRow;
 
@@ -31,3 +33,4 @@ pub(crate) use active_face::ActiveFace;
 pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse};
 pub(crate) use count::Count;
 pub(crate) use face_table::{ColoredFace, FaceTable, NONE};
+pub(crate) use silhouette_row::{ByArea, EdgeRow, Entry, FaceEdges, RowEdges, Silhouettes};

@@ -154,16 +154,18 @@ pub(super) fn face_in_first_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     Some(face)
 }
 
-/// Hands over the translucent faces of the table that cross a row, which begins at a column, as they are in it.
-pub(super) fn for_each_translucent<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+/// Hands over the faces of the table that cross a row, which begins at a column, as they are in it: those of them whose nodes
+/// are asked for.
+pub(super) fn for_each_crossing<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     faces: &impl FaceTable<S, D, H>,
     [first_column, row]: [i32; 2],
+    is_asked_for: &dyn Fn(u16) -> bool,
     visit: &mut dyn FnMut(&ActiveFace<S, H>),
 ) {
     let surroundings = surroundings(faces, first_column);
     let mut all = Passes::from_top(faces);
     while let Some(node) = all.next_crossing(faces, row) {
-        let (true, Some(corners)) = (faces.is_translucent(node), corners_from_top(faces, node)) else {
+        let (true, Some(corners)) = (is_asked_for(node), corners_from_top(faces, node)) else {
             continue;
         };
         if let Some(mut face) = face_in_first_row(faces, node, &surroundings) {

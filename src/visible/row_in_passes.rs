@@ -9,10 +9,13 @@ use crate::{
     view::{DepthWidth, ScreenPrecision},
     visible::{
         DepthRow,
+        active_face::WordOf,
         active_faces::ActiveList,
         blended_row::blend_faces,
         face_table::{FaceTable, NONE},
-        passes::{Passes, for_each_translucent, surroundings},
+        passes::{Passes, for_each_crossing, surroundings},
+        silhouette_pixels::{InSlots, InTable, mix_silhouettes},
+        silhouette_row::RowEdges,
     },
 };
 
@@ -40,6 +43,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         &mut self,
         faces: &impl FaceTable<S, D, H>,
         row: &mut DepthRow<'_, H::Color, O, D>,
+        mut edges: impl RowEdges<WordOf<H>, D>,
     ) where
         O: Order,
         D: DepthWidth,
@@ -50,11 +54,23 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             self.draw_pass(faces, row);
             is_left = self.next_pass(faces, row.y);
         }
-        if H::BLENDS && self.next_row == row.y + 1 {
+        let (at, is_whole) = ([row.left, row.y], self.next_row == row.y + 1);
+        if let Some(mut edges) = edges.columns() {
+            if is_whole {
+                mix_silhouettes(faces, row, &mut edges, &InSlots(self.in_use()));
+            } else {
+                mix_silhouettes(faces, row, &mut edges, &InTable::new(faces, at));
+            }
+        }
+        if H::BLENDS && is_whole {
             self.blend_row(faces, row);
         } else if H::BLENDS {
-            let (left, y) = (row.left, row.y);
-            blend_faces(faces, row, &|visit| for_each_translucent(faces, [left, y], visit));
+            let is_translucent = |node| faces.is_translucent(node);
+            blend_faces(faces, row, &|visit| {
+                for_each_crossing(faces, at, &is_translucent, visit)
+            });
+        } else if is_whole && edges.columns().is_some() {
+            self.take_all_down(row.y + 1);
         }
     }
 

@@ -6,8 +6,8 @@ use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
     scene::{
-        Camera, Counted, Deep, DoubleSided, Fine, Look, Memory, Model, OnePass, Orthographic, Pose, Rotation,
-        Unhurried, Whole,
+        Antialiased, Camera, Counted, Deep, DoubleSided, Fine, Look, Memory, Model, OnePass, Orthographic, Pose,
+        Rotation, Unhurried, Whole,
     },
 };
 use zrow_methods::LookOf;
@@ -131,6 +131,16 @@ fn every_pair_of_wrappers_goes_in_both_orders() {
     check::<Whole<DoubleSided<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u16, false, true>>>();
     check::<DoubleSided<OnePass<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u16, true, false>>>();
     check::<OnePass<DoubleSided<Rgb888>>, DoubleSided<LookOf<Rgb888, Sub4, u16, true, false>>>();
+    check::<Antialiased<Fine<Rgb888>>, Antialiased<LookOf<Rgb888, Sub8, u16, true, true>>>();
+    check::<Fine<Antialiased<Rgb888>>, Antialiased<LookOf<Rgb888, Sub8, u16, true, true>>>();
+    check::<Antialiased<Deep<Rgb888>>, Antialiased<LookOf<Rgb888, Sub4, u32, true, true>>>();
+    check::<Deep<Antialiased<Rgb888>>, Antialiased<LookOf<Rgb888, Sub4, u32, true, true>>>();
+    check::<Antialiased<Whole<Rgb888>>, Antialiased<LookOf<Rgb888, Sub4, u16, false, true>>>();
+    check::<Whole<Antialiased<Rgb888>>, Antialiased<LookOf<Rgb888, Sub4, u16, false, true>>>();
+    check::<Antialiased<OnePass<Rgb888>>, Antialiased<LookOf<Rgb888, Sub4, u16, true, false>>>();
+    check::<OnePass<Antialiased<Rgb888>>, Antialiased<LookOf<Rgb888, Sub4, u16, true, false>>>();
+    check::<Antialiased<Orthographic<Rgb888>>, Orthographic<Antialiased<LookOf<Rgb888, Sub4, u16, true, true>>>>();
+    check::<Antialiased<DoubleSided<Rgb888>>, DoubleSided<Antialiased<LookOf<Rgb888, Sub4, u16, true, true>>>>();
     check::<DoubleSided<Orthographic<Rgb888>>, Orthographic<DoubleSided<LookOf<Rgb888, Sub4, u16, true, true>>>>();
 }
 
@@ -165,4 +175,6 @@ fn memory_is_that_of_the_look() {
     assert_eq!(grown::<Fine<Rgb888>>(), [1200, 200, 200, 400]);
     assert_eq!(grown::<Orthographic<Rgb888>>(), [600, 200, 200, 400]);
     assert_eq!(grown::<DoubleSided<Rgb888>>(), [600, 200, 200, 400]);
+    // Four bytes a face and a row, and of a column a change, the word behind, a depth and a face.
+    assert_eq!(grown::<Antialiased<Rgb888>>(), [600, 600, 1400, 800]);
 }

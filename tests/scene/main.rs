@@ -10,6 +10,7 @@ mod reference {
 mod snapped_faces;
 
 mod affine_maps;
+mod antialiased;
 mod bounds;
 mod cameras;
 mod clipped_faces;

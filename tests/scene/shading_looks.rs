@@ -33,6 +33,7 @@ impl<H: Shading, S: ScreenPrecision, D: DepthWidth + 'static, const CLIPS: bool,
     type Precision = S;
     type Depth = D;
     type Counting = ();
+    type Silhouettes = ();
     const CLIPS: bool = CLIPS;
     const DRAWS_IN_PASSES: bool = PASSES;
 }

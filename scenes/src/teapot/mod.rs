@@ -28,7 +28,7 @@ use mesh::{Mesh, face_count, tessellate, vertex_count};
 
 macro_rules! teapots {
     ($($cells:literal: $mesh:ident, $doc:literal, $faces:ident, $normals:ident, $coordinates:ident, $colors:ident,
-        $face_normals:ident;)+) => {$(
+        $face_normals:ident, $neighbours:ident;)+) => {$(
         const $mesh: Mesh<{ vertex_count($cells) }, { face_count($cells) }> = tessellate($cells);
 
         #[doc = $doc]
@@ -57,13 +57,19 @@ macro_rules! teapots {
             "|x| + |y| + |z| = 127: x and y, where z is negative folded outwards over the edges of the square."
         )]
         pub static $face_normals: [[i8; 2]; face_count($cells)] = $mesh.face_normals;
+        #[doc = concat!(
+            "The faces of [`", stringify!($faces), "`] on the other sides of the edges of each face, from its first vertex to the ",
+            "second, to the third, and back."
+        )]
+        pub static $neighbours: [[u16; 3]; face_count($cells)] = FaceSet::find_neighbours(&$mesh.faces);
     )+};
 }
 
 teapots! {
     4: FINE, "The teapot of 4 by 4 cells a patch: 560 vertices and 992 faces.",
-        TEAPOT, TEAPOT_NORMALS, TEAPOT_COORDINATES, TEAPOT_COLORS, TEAPOT_FACE_NORMALS;
+        TEAPOT, TEAPOT_NORMALS, TEAPOT_COORDINATES, TEAPOT_COLORS, TEAPOT_FACE_NORMALS,
+        TEAPOT_NEIGHBOURS;
     2: COARSE, "The teapot of 2 by 2 cells a patch, for a small display: 156 vertices and 240 faces.",
         SMALL_TEAPOT, SMALL_TEAPOT_NORMALS, SMALL_TEAPOT_COORDINATES, SMALL_TEAPOT_COLORS,
-        SMALL_TEAPOT_FACE_NORMALS;
+        SMALL_TEAPOT_FACE_NORMALS, SMALL_TEAPOT_NEIGHBOURS;
 }

@@ -26,7 +26,7 @@ use crate::{
 };
 
 /// The bits of a pixel's area: few enough for the sum of 8,191 pixels.
-pub(super) const AREA_BITS: u32 = 18;
+pub(crate) const AREA_BITS: u32 = 18;
 
 /// Shift from a height, 2^14 for a whole pixel, to the area of a pixel that high.
 const COVER_SHIFT: u32 = AREA_BITS - COVER_BITS;
@@ -36,13 +36,13 @@ const AREA_SHIFT: u32 = COVER_BITS + X_BITS + 1 - AREA_BITS;
 /// The cover and the area that an edge contributes in one pixel, of which the whole area is 2^18. Both wrap, because sums
 /// over some of the edges of a row may be larger than 32 bits hold; the sum over all edges is an area, which fits.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
-pub(super) struct Cell {
+pub(crate) struct Cell {
     /// The column of the pixel.
-    pub(super) x: i32,
+    pub(crate) x: i32,
     /// What the edge adds to every pixel to the right.
-    pub(super) cover: Wrapping<i32>,
+    pub(crate) cover: Wrapping<i32>,
     /// The part of `cover` that the cell's own pixel lacks, because it lies left of the edge.
-    pub(super) area: Wrapping<i32>,
+    pub(crate) area: Wrapping<i32>,
 }
 
 impl Cell {
@@ -69,14 +69,14 @@ impl Cell {
 
     /// The cell of a part of an edge that lies in one pixel.
     #[inline(always)]
-    pub(super) fn within([start, end]: [i32; 2], height: i32) -> Self {
+    pub(crate) fn within([start, end]: [i32; 2], height: i32) -> Self {
         let x_sum = (start & (X_ONE - 1)) + (end & (X_ONE - 1));
         Self::new(start >> X_BITS, height, x_sum)
     }
 
     /// The cells of a part of an edge that lies in two neighbouring pixels. Cost: a division and no branch.
     #[inline(always)]
-    pub(super) fn in_two([start, end]: [i32; 2], height: i32) -> [Self; 2] {
+    pub(crate) fn in_two([start, end]: [i32; 2], height: i32) -> [Self; 2] {
         let (x, from, to) = (start >> X_BITS, start & (X_ONE - 1), end & (X_ONE - 1));
         let (first, _) = divide_to_zero(height * (X_ONE - from), end - start);
         [Self::new(x, first, from + X_ONE), Self::new(x + 1, height - first, to)]
@@ -139,7 +139,7 @@ pub(super) fn for_each<E>(
 ///
 /// Cost: besides that of [`for_each`] a long division where the part enters at the side.
 #[inline(never)]
-pub(super) fn for_each_visible(ends: [i32; 2], height: i32, width: i32, mut visit: impl FnMut(Cell)) {
+pub(crate) fn for_each_visible(ends: [i32; 2], height: i32, width: i32, mut visit: impl FnMut(Cell)) {
     let [start, end] = ends;
     let last = end >> X_BITS;
     let (mut x, mut from, to) = (start >> X_BITS, start & (X_ONE - 1), end & (X_ONE - 1));

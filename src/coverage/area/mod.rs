@@ -9,6 +9,7 @@ mod signed_area;
 mod sparse_row;
 mod unordered_row;
 
+pub(crate) use cell::{AREA_BITS, Cell, for_each_visible as for_each_visible_cell};
 pub(crate) use combined_area::{Combination, CombinedArea};
 pub use inside_area::InsideArea;
 pub use signed_area::SignedArea;

@@ -18,6 +18,7 @@ impl<L: Look> Look for Counted<L> {
     type Precision = L::Precision;
     type Depth = L::Depth;
     type Counting = Cell<Counters>;
+    type Silhouettes = L::Silhouettes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
     const HURRIES: bool = L::HURRIES;

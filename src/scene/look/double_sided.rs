@@ -47,6 +47,7 @@ impl<L: Look> Look for DoubleSided<L> {
     type Precision = L::Precision;
     type Depth = L::Depth;
     type Counting = L::Counting;
+    type Silhouettes = L::Silhouettes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
     const HURRIES: bool = L::HURRIES;

@@ -3,6 +3,7 @@
 //! A shading is a look, and a colour the plainest one. Each other file here is a wrapper around any look that changes one thing
 //! of it; wrappers go around each other in any order: `Fine<Whole<Rgb565>>`.
 
+mod antialiased;
 mod counted;
 mod deep;
 mod double_sided;
@@ -12,6 +13,7 @@ mod orthographic;
 mod unhurried;
 mod whole;
 
+pub use antialiased::Antialiased;
 pub use counted::Counted;
 pub use deep::Deep;
 pub use double_sided::DoubleSided;
@@ -27,6 +29,7 @@ use crate::{
     shade::Shading,
     surface::BandColor,
     view::{DepthWidth, ScreenPrecision},
+    visible::Silhouettes,
 };
 
 /// What the pictures of a scene are made of: colours, the precision of positions and depths, whether faces are cut, and whether
@@ -35,8 +38,8 @@ use crate::{
 /// Every [`Shading`] is a look, and a colour is the plainest one, with a colour a face: positions at 1/16 pixel ([`Sub4`]),
 /// depths of 16 bits, faces are cut, rows are drawn in passes where they must. A wrapper changes one thing of another look, in
 /// any order: [`Fine`] (positions at 1/256 pixel), [`Deep`] (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no
-/// row is drawn in passes), [`Orthographic`] (parallel rays), [`DoubleSided`] (faces are seen from both sides), [`Counted`]
-/// (counters), [`Unhurried`] (no shortcuts). A look can also be a type of the program's own.
+/// row is drawn in passes), [`Orthographic`] (parallel rays), [`DoubleSided`] (faces are seen from both sides), [`Antialiased`]
+/// (silhouettes), [`Counted`] (counters), [`Unhurried`] (no shortcuts). A look can also be a type of the program's own.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -75,6 +78,9 @@ pub trait Look: 'static {
     /// `()`; in looks that are [`Counted`], the counters of a frame.
     type Counting: Counting;
 
+    /// `()`; in looks that are [`Antialiased`], how silhouettes are.
+    type Silhouettes: Silhouettes<Self::Color>;
+
     /// Whether faces are cut at the near plane, at the far plane and at the guard band, so that a scene may be anywhere, also
     /// around the camera. Flash: about 3 KB on a Cortex-M3 at opt-level "s".
     ///
@@ -108,4 +114,5 @@ impl<H: Shading> Look for H {
     type Precision = Sub4;
     type Depth = u16;
     type Counting = ();
+    type Silhouettes = ();
 }

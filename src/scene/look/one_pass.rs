@@ -16,6 +16,7 @@ impl<L: Look> Look for OnePass<L> {
     type Precision = L::Precision;
     type Depth = L::Depth;
     type Counting = L::Counting;
+    type Silhouettes = L::Silhouettes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = false;
     const HURRIES: bool = L::HURRIES;

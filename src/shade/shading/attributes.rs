@@ -50,6 +50,9 @@ pub trait Planes: CutAttributes {
 
     /// Takes attributes to the next pixel of a run.
     fn step(values: &mut Self::Values, per_column: &Self::Values);
+
+    /// Limits attributes to those of the corners of a face, for pixels beside it.
+    fn clamp(values: &mut Self::Values, corners: &[Self; 3]);
 }
 
 /// Where in a span attributes are asked for.
@@ -138,6 +141,9 @@ impl Planes for () {
 
     #[inline]
     fn step((): &mut (), (): &()) {}
+
+    #[inline]
+    fn clamp((): &mut (), _: &[(); 3]) {}
 }
 
 impl<const N: usize> Attributes for [i16; N] {
@@ -215,6 +221,18 @@ impl<const N: usize> Planes for [i16; N] {
             *value = (Wrapping(*value) + Wrapping(*gain)).0;
         }
     }
+
+    fn clamp(values: &mut [i32; N], corners: &[Self; 3]) {
+        clamp(values, corners, 1 << 15);
+    }
+}
+
+/// Limits numbers with 16 fractional bits to those of three corners, to which so much is added.
+pub(super) fn clamp<const N: usize>(values: &mut [i32; N], [a, b, c]: &[[i16; N]; 3], added: i32) {
+    for (value, ((a, b), c)) in values.iter_mut().zip(a.iter().zip(b).zip(c)) {
+        let [least, most] = [*a.min(b).min(c), *a.max(b).max(c)].map(|number| (i32::from(number) << 16) + added);
+        *value = (*value).max(least).min(most);
+    }
 }
 
 impl<A: Attributes, B: Attributes> Attributes for (A, B) {
@@ -272,6 +290,11 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
     fn step(values: &mut Self::Values, per_column: &Self::Values) {
         A::step(&mut values.0, &per_column.0);
         B::step(&mut values.1, &per_column.1);
+    }
+
+    fn clamp(values: &mut Self::Values, corners: &[Self; 3]) {
+        A::clamp(&mut values.0, &corners.map(|corner| corner.0));
+        B::clamp(&mut values.1, &corners.map(|corner| corner.1));
     }
 }
 

@@ -20,7 +20,7 @@ use core::num::Wrapping;
 use crate::{
     clip::convex::CutAttributes,
     geometry::{ScreenPlane, leading_zeros, multiply_shift, reciprocal_32},
-    shade::shading::attributes::{Attributes, PlaneSource, Planes, Run, SpanPosition},
+    shade::shading::attributes::{Attributes, PlaneSource, Planes, Run, SpanPosition, clamp},
 };
 
 /// Attributes that vary evenly in space: `N` 16-bit numbers a vertex, divided by the depth at every 16th pixel of a span at
@@ -169,6 +169,10 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
     #[inline(always)]
     fn step(values: &mut [i32; N], per_column: &[i32; N]) {
         <[i16; N]>::step(values, per_column);
+    }
+
+    fn clamp(values: &mut [i32; N], corners: &[Self; 3]) {
+        clamp(values, &corners.map(|corner| corner.0), 0);
     }
 }
 

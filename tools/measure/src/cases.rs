@@ -346,6 +346,7 @@ const LOOKS: &[(&str, &str)] = &[
     ("look.fine", "positions at 1/256 pixel"),
     ("look.fine_deep", "positions at 1/256 pixel and depths of 32 bits"),
     ("look.double_sided", "faces seen from both sides"),
+    ("look.antialiased", "antialiased silhouettes, no neighbours known"),
 ];
 
 /// Thirty spheres of which five are seen: what boxes around models save.
@@ -488,6 +489,19 @@ fn teapots() -> impl Iterator<Item = Case> {
             "scene.teapot.bilinear",
             "Utah teapot under a light, textured, bilinear",
             Some(1_650_000.0),
+        ),
+        // 1.6 times the flat one without.
+        (
+            V7EM,
+            "scene.teapot.silhouettes",
+            "Utah teapot, flat, antialiased silhouettes",
+            Some(948_000.0),
+        ),
+        (
+            V6M,
+            "scene.teapot.silhouettes",
+            "Utah teapot, flat, antialiased silhouettes",
+            None,
         ),
         (
             V7EM,

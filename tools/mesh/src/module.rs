@@ -43,6 +43,7 @@ pub fn write(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>) -> M
     let mut source = head(mesh, options, name, origin, bytes);
     // Writing to a string does not fail.
     let _ = write_face_set(&mut source, mesh, name, origin);
+    let _ = write_neighbours(&mut source, mesh.faces.len(), name);
     let _ = write_colors(&mut source, &mesh.colors, name);
     let _ = write_normals(&mut source, mesh, name);
     let _ = write_coordinates(&mut source, mesh, name);
@@ -130,6 +131,15 @@ fn write_face_set(to: &mut String, mesh: &Mesh, name: &str, origin: Origin<'_>) 
     writeln!(
         to,
         "{begin}\n    Ok(faces) => faces,\n    Err(_) => panic!(\"a face names a vertex that is not there\"),\n}};"
+    )
+}
+
+fn write_neighbours(to: &mut String, count: usize, name: &str) -> std::fmt::Result {
+    let line = format!("pub static {name}_NEIGHBOURS: [[u16; 3]; {count}] = FaceSet::find_neighbours(&FACES);");
+    let skip = if line.len() > COLUMNS { "\n#[rustfmt::skip]" } else { "" };
+    writeln!(
+        to,
+        "\n/// The faces beside each face, 6 bytes each where they are used: `{name}.with_neighbours(&{name}_NEIGHBOURS)`.{skip}\n{line}"
     )
 }
 

@@ -5,11 +5,11 @@ use core::{convert::Infallible, hint::black_box, marker::PhantomData, ptr};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
-    scene::{Look, Memory},
+    scene::{Antialiased, Look, Memory},
     shade::{Bilinear, FlatLit, Gouraud, LitTextured, Texels, Textured},
 };
 use zrow_scenes::{
-    effects::SmoothPot,
+    effects::{SmoothPot, SurfacePot},
     standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage},
     teapots::{FlatLitPot, FlatPot, GouraudPot, TexturedPot, TexturedSquare},
 };
@@ -51,6 +51,8 @@ pub type GouraudTeapot = Stage<GouraudPot, Gouraud<Rgb565>, 560, 992, 91, 240, 3
 pub type TexturedTeapot = Stage<TexturedPot, LitTextured<Texels<Rgb565, 64, 64>>, 560, 992, 91, 240, 320>;
 /// The Utah teapot under a light with a texture whose texels are mixed.
 pub type BilinearTeapot = Stage<SmoothPot, LitTextured<Bilinear<Texels<Rgb565, 64, 64>>>, 560, 992, 91, 240, 320>;
+/// The Utah teapot with antialiased silhouettes.
+pub type SilhouetteTeapot = Stage<SurfacePot, Antialiased<Rgb565>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with an effect, in a look.
 pub type EffectTeapot<S, L> = Stage<S, L, 560, 992, 91, 240, 320>;
 /// A square of up to 200 x 200 pixels with a texture in perspective.

@@ -7,7 +7,9 @@ use cortex_m_rt::entry;
 use zrow_measure_firmware::{
     report,
     run::Runner,
-    standard::{BilinearTeapot, FlatLitTeapot, FlatTeapot, GouraudTeapot, TexturedQuad, TexturedTeapot, count},
+    standard::{
+        BilinearTeapot, FlatLitTeapot, FlatTeapot, GouraudTeapot, SilhouetteTeapot, TexturedQuad, TexturedTeapot, count,
+    },
     stopwatch::Stopwatch,
 };
 
@@ -20,9 +22,27 @@ fn main() -> ! {
     let gouraud = cortex_m::singleton!(: GouraudTeapot = GouraudTeapot::EMPTY);
     let textured = cortex_m::singleton!(: TexturedTeapot = TexturedTeapot::EMPTY);
     let bilinear = cortex_m::singleton!(: BilinearTeapot = BilinearTeapot::EMPTY);
+    let silhouettes = cortex_m::singleton!(: SilhouetteTeapot = SilhouetteTeapot::EMPTY);
     let quad = cortex_m::singleton!(: TexturedQuad = TexturedQuad::EMPTY);
-    let (Some(peripherals), Some(flat), Some(flat_lit), Some(gouraud), Some(textured), Some(bilinear), Some(quad)) =
-        (Peripherals::take(), flat, flat_lit, gouraud, textured, bilinear, quad)
+    let (
+        Some(peripherals),
+        Some(flat),
+        Some(flat_lit),
+        Some(gouraud),
+        Some(textured),
+        Some(bilinear),
+        Some(silhouettes),
+        Some(quad),
+    ) = (
+        Peripherals::take(),
+        flat,
+        flat_lit,
+        gouraud,
+        textured,
+        bilinear,
+        silhouettes,
+        quad,
+    )
     else {
         report::exit(false)
     };
@@ -32,6 +52,7 @@ fn main() -> ! {
     count(&mut runner, "scene.teapot.gouraud", gouraud);
     count(&mut runner, "scene.teapot.textured_lit", textured);
     count(&mut runner, "scene.teapot.bilinear", bilinear);
+    count(&mut runner, "scene.teapot.silhouettes", silhouettes);
     count(&mut runner, "scene.quad.textured", quad);
     report::exit(true)
 }

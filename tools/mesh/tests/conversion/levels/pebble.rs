@@ -25,6 +25,9 @@ pub static PEBBLE: FaceSet = match FaceSet::new(&VERTICES, &FACES) {
     Err(_) => panic!("a face names a vertex that is not there"),
 };
 
+/// The faces beside each face, 6 bytes each where they are used: `PEBBLE.with_neighbours(&PEBBLE_NEIGHBOURS)`.
+pub static PEBBLE_NEIGHBOURS: [[u16; 3]; 80] = FaceSet::find_neighbours(&FACES);
+
 /// The colour of each face.
 pub static PEBBLE_COLORS: [Rgb565; 80] = [Rgb565::new(31, 63, 31); 80];
 

@@ -14,6 +14,9 @@ pub static LETTER: FaceSet = match FaceSet::new(&VERTICES, &FACES) {
     Err(_) => panic!("a face names a vertex that is not there"),
 };
 
+/// The faces beside each face, 6 bytes each where they are used: `LETTER.with_neighbours(&LETTER_NEIGHBOURS)`.
+pub static LETTER_NEIGHBOURS: [[u16; 3]; 16] = FaceSet::find_neighbours(&FACES);
+
 /// The colour of each face.
 #[rustfmt::skip]
 pub static LETTER_COLORS: [Rgb565; 16] = [

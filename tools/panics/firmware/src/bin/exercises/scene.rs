@@ -9,8 +9,8 @@ use zrow::{
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{
-        BoundingBox, Counted, Counters, Deep, DepthWidth, DoubleSided, FaceSet, Fine, Frame, Look, Memory, Model,
-        OnePass, Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
+        Antialiased, BoundingBox, Counted, Counters, Deep, DepthWidth, DoubleSided, FaceSet, Fine, Frame, Look, Memory,
+        Model, OnePass, Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
     shade::{
         Bilinear, Blinn, Bounded, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading,
@@ -62,6 +62,9 @@ pub const EXERCISES: &[fn()] = &[
     look::<DoubleSided<Rgb565>>,
     look::<DoubleSided<LitTextured<Texels<Rgb565, 64, 64>>>>,
     look::<Whole<Fine<DoubleSided<Transformed<FlatLit<Gray4, TwoSided<Lambert<1>>>>>>>>,
+    look::<Antialiased<Rgb565>>,
+    look::<Antialiased<Fine<Deep<DoubleSided<Translucent<Gouraud<Rgb888>>>>>>>,
+    look::<Whole<OnePass<Antialiased<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>>>,
     look::<Counted<Rgb565>>,
     look::<Unhurried<Counted<LitTextured<Texels<Rgb565, 64, 64>>>>>,
     counted,
@@ -156,6 +159,9 @@ fn model() {
     keep(FaceSet::vertices_of(any()));
     keep(FaceSet::bounds(any()));
     keep(FaceSet::morphed(any(), any(), any(), any()));
+    keep(FaceSet::with_neighbours(any(), any()));
+    keep(FaceSet::neighbours(any()));
+    keep(FaceSet::find_neighbours::<12>(any()));
     keep(BoundingBox::around(any()));
     keep(BoundingBox::joined(any(), any()));
     eq::<BoundingBox>();

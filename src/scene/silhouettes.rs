@@ -1,0 +1,203 @@
+//! Which edges of a frame's faces are silhouettes, and in which row they begin.
+//!
+//! An edge between two faces that are seen is inside a surface; one that has a face that is seen on one side only is a silhouette.
+//! Faces with silhouettes lie in buckets by the first row that those touch, and move to the bucket of the next row with each row that
+//! is drawn.
+//!
+//! Guarantees: the silhouettes of the faces that are seen are closed, so that a sum over their edges is a whole number wherever none of
+//! them passes. That needs all faces that are seen, also those between the centres of pixels.
+//!
+//! Cost: a look at each face, and at its neighbours if it is seen, where drawing begins; then two links a row for each face with
+//! silhouettes.
+
+use crate::{
+    geometry::offset_from,
+    mesh::FaceSet,
+    scene::{
+        Look, Model,
+        culling::is_left_out,
+        faces,
+        frame::corners,
+        lens::ScreenVertexOf,
+        off_screen::is_outside,
+        prepared_faces::PreparedFaces,
+        silhouette_tables::{SilhouetteTables, SilhouettesOf},
+    },
+    shade::Shading,
+    surface::{BandColor, Order},
+    view::{Position, ScreenPrecision, ScreenVertex},
+    visible::{DepthRow, EdgeRow, FaceEdges, NONE, Silhouettes},
+};
+
+/// The row of silhouettes of a look.
+type EdgeRowOf<'c, L> = EdgeRow<'c, <<L as Look>::Color as BandColor>::Word, <L as Look>::Depth>;
+
+impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
+    /// Finds the silhouettes of a row that nothing was drawn to yet. `follows` where the last row that this was called for is the one
+    /// above it.
+    pub(super) fn begin_silhouettes<'c, O: Order>(
+        &self,
+        tables: &'c mut SilhouetteTables<'_, L>,
+        row: &DepthRow<'_, L::Color, O, L::Depth>,
+        follows: bool,
+    ) -> EdgeRowOf<'c, L> {
+        let faces = SilhouettesOf::<L>::faces(tables.faces);
+        let rows = SilhouettesOf::<L>::faces(tables.rows);
+        if !follows {
+            self.find_silhouettes(faces);
+            self.enter_silhouettes(faces, rows, row.y());
+        }
+        let columns = SilhouettesOf::<L>::columns(tables.columns);
+        let mut edges = EdgeRow::new(columns, row.start());
+        let index = offset_from(self.viewport.top, row.y()) as usize;
+        let mut node = rows.get(index).map_or(NONE, |row| row.next());
+        while let Some(face) = faces.get(usize::from(node)).copied() {
+            if self.add_edges(&mut edges, row, node, face) {
+                if let (Some(head), Some(face)) = (rows.get_mut(index + 1), faces.get_mut(usize::from(node))) {
+                    *face = face.with_next(head.next());
+                    *head = head.with_next(node);
+                }
+            }
+            node = face.next();
+        }
+        edges
+    }
+
+    /// Adds the silhouettes of a face to a row. Returns whether one of them goes on below it.
+    #[inline(never)]
+    fn add_edges<O: Order>(
+        &self,
+        edges: &mut EdgeRowOf<'_, L>,
+        row: &DepthRow<'_, L::Color, O, L::Depth>,
+        node: u16,
+        face: FaceEdges,
+    ) -> bool {
+        let Some([a, b, c]) = self.corners_in_mesh(node) else {
+            return false;
+        };
+        let mut goes_on = false;
+        for (number, [from, to]) in (0..).zip([[a, b], [b, c], [c, a]]) {
+            if let (true, is_drawn) = face.edge(number) {
+                let ends = if face.is_reversed() { [to, from] } else { [from, to] };
+                goes_on |= edges.add::<L::Precision>(row.words(), node, ends, is_drawn);
+            }
+        }
+        goes_on
+    }
+
+    /// The corners of a whole face in the order of its mesh.
+    #[inline]
+    fn corners_in_mesh(&self, node: u16) -> Option<[&ScreenVertexOf<L>; 3]> {
+        if let Some(face) = self.first_faces.get(usize::from(node)) {
+            return corners(self.vertices, face);
+        }
+        let (model, first_vertex, face) = faces::find(self.models, node)?;
+        corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)
+    }
+
+    /// Finds out which edges of all faces are silhouettes.
+    #[cold]
+    #[inline(never)]
+    fn find_silhouettes(&self, all: &mut [FaceEdges]) {
+        let (mut rest, mut first_vertex) = (all, 0);
+        for model in self.models {
+            let mesh = model.mesh();
+            let count = mesh.faces().len().min(rest.len());
+            let (faces, others) = rest.split_at_mut(count);
+            let vertices = self.vertices.get(first_vertex..).unwrap_or_default();
+            if is_left_out::<L>(self.vertices, first_vertex) || L::Shading::is_translucent(model.skin()) {
+                faces.fill(FaceEdges::seen(false, false));
+            } else {
+                see_faces::<L>(model, vertices, faces);
+                see_neighbours(mesh, faces);
+            }
+            first_vertex += mesh.vertices().len();
+            rest = others;
+        }
+        // What is behind the last face is none.
+        rest.fill(FaceEdges::seen(false, false));
+    }
+
+    /// Puts all faces with silhouettes that touch a row or one below it into the buckets of the first such row.
+    #[cold]
+    #[inline(never)]
+    fn enter_silhouettes(&self, faces: &mut [FaceEdges], rows: &mut [FaceEdges], row: i32) {
+        rows.fill(FaceEdges::seen(false, false).with_next(NONE));
+        let one = 1 << <L::Precision as crate::geometry::SubPixel>::FRACTION_BITS;
+        // The row that a coordinate lies in, and that which ends at it or around it.
+        let row_of = |units: i32| (units + one / 2) >> <L::Precision as crate::geometry::SubPixel>::FRACTION_BITS;
+        for (node, face) in (0..).zip(faces) {
+            if !face.has_any() {
+                continue;
+            }
+            let Some(corners) = self.corners_in_mesh(node) else {
+                continue;
+            };
+            let [a, b, c] = corners.map(ScreenVertex::y_units);
+            let first = row_of(a.min(b).min(c)).max(row);
+            if row_of(a.max(b).max(c)) < row {
+                continue;
+            }
+            let index = offset_from(self.viewport.top, first) as usize;
+            if let Some(head) = rows.get_mut(index) {
+                *face = face.with_next(head.next());
+                *head = head.with_next(node);
+            }
+        }
+    }
+}
+
+/// Finds out which faces of a model are seen, and from which side.
+fn see_faces<L: Look>(model: &Model<'_, L::Shading>, vertices: &[ScreenVertexOf<L>], faces: &mut [FaceEdges]) {
+    let is_mirrored = model.is_mirrored();
+    for (face, indices) in faces.iter_mut().zip(model.mesh().faces()) {
+        *face = FaceEdges::seen(false, false);
+        let Some(corners) = corners(vertices, indices) else {
+            continue;
+        };
+        if L::CLIPS && corners.into_iter().any(is_outside) {
+            *face = FaceEdges::CUT;
+            continue;
+        }
+        let [a, b, c] = corners.map(ScreenVertex::position);
+        let area = doubled_area::<L::Precision>(a, b, c);
+        let (is_clockwise, is_counterclockwise) = (area > 0, area < 0);
+        *face = if L::DRAWS_BACKS {
+            FaceEdges::seen(is_clockwise, is_counterclockwise)
+        } else if is_mirrored {
+            FaceEdges::seen(false, is_counterclockwise)
+        } else {
+            FaceEdges::seen(is_clockwise, false)
+        };
+    }
+}
+
+/// Finds out which edges of the faces of a mesh that are seen are silhouettes.
+fn see_neighbours(mesh: &FaceSet<'_>, faces: &mut [FaceEdges]) {
+    for index in 0..faces.len() {
+        let Some(mut face) = faces.get(index).copied().filter(|face| face.is_seen()) else {
+            continue;
+        };
+        let neighbours = mesh.neighbours().get(index).copied().unwrap_or([NONE; 3]);
+        for (number, neighbour) in (0..).zip(neighbours) {
+            let neighbour = faces.get(usize::from(neighbour)).copied();
+            face = face.with_neighbour(number, neighbour.unwrap_or(FaceEdges::seen(false, false)));
+        }
+        if let Some(entry) = faces.get_mut(index) {
+            *entry = face;
+        }
+    }
+}
+
+/// Twice the area of a face, positive where its corners run clockwise, exactly but for its size.
+#[inline]
+fn doubled_area<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> i64 {
+    let (x1, y1) = (b.x - a.x, b.y - a.y);
+    let (x2, y2) = (c.x - a.x, c.y - a.y);
+    if S::FRACTION_BITS <= 4 {
+        // Differences are at most 32,752: each product fits.
+        i64::from(x1 * y2) - i64::from(x2 * y1)
+    } else {
+        i64::from(x1) * i64::from(y2) - i64::from(x2) * i64::from(y1)
+    }
+}

@@ -1,0 +1,394 @@
+//! The pixels of a row through which silhouettes pass, mixed when the row is drawn: the surface that ends there by its coverage over
+//! the one behind it.
+//!
+//! ```text
+//!      surfaces at the centre of the pixel       number of surfaces by area     the surface that ends there
+//!      one                                        3/4                           is at the centre: 3/4 of it over what was there
+//!      none                                       1/4                           is beside it:     1/4 of it over what was there
+//!      two, of which the edge is the nearer       1 1/2                         is at the centre: 1/2 of the nearest over the second
+//!      one, behind the edge                       1 1/2                         is beside it:     1/2 of the edge's face over that one
+//!      two, of which the edge is the farther      1 1/2                         is hidden
+//! ```
+//!
+//! Cost: a look at each face that crosses the row for each such pixel, and mixing.
+
+use core::{marker::PhantomData, num::Wrapping};
+
+use embedded_graphics::geometry::Point;
+
+use crate::{
+    coverage::{AREA_BITS, Coverage},
+    shade::{Planes, Shading},
+    surface::Order,
+    view::{DepthWidth, ScreenPrecision},
+    visible::{
+        DepthRow,
+        active_face::{ActiveFace, WordOf},
+        face_table::{FaceTable, corners_from_top},
+        passes::{face_in_first_row, for_each_crossing, surroundings},
+        shaded_span::run,
+        silhouette_row::EdgeRow,
+    },
+};
+
+/// The faces that cross a row.
+pub(super) trait Crossing<S: ScreenPrecision, H: Shading> {
+    /// Hands over each of the faces.
+    fn for_each(&self, visit: impl FnMut(&ActiveFace<S, H>));
+}
+
+/// The faces of all slots in use.
+pub(super) struct InSlots<'s, S: ScreenPrecision, H: Shading>(pub(super) &'s [ActiveFace<S, H>]);
+
+impl<S: ScreenPrecision, H: Shading> Crossing<S, H> for InSlots<'_, S, H> {
+    #[inline]
+    fn for_each(&self, visit: impl FnMut(&ActiveFace<S, H>)) {
+        self.0.iter().for_each(visit);
+    }
+}
+
+/// The faces of a table that cross a row from a column on, which are more than there are slots for.
+pub(super) struct InTable<'t, F, D> {
+    faces: &'t F,
+    at: [i32; 2],
+    depths: PhantomData<D>,
+}
+
+impl<'t, F, D> InTable<'t, F, D> {
+    /// `at` is the first column, and the row.
+    pub(super) fn new(faces: &'t F, at: [i32; 2]) -> Self {
+        Self {
+            faces,
+            at,
+            depths: PhantomData,
+        }
+    }
+}
+
+impl<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> Crossing<S, H> for InTable<'_, F, D> {
+    fn for_each(&self, mut visit: impl FnMut(&ActiveFace<S, H>)) {
+        for_each_crossing(self.faces, self.at, &|_| true, &mut visit);
+    }
+}
+
+/// A surface at the centre of a pixel.
+#[derive(Debug, Copy, Clone)]
+struct Surface<W, D> {
+    face: u16,
+    depth: D,
+    order: u16,
+    /// `None` for a hole.
+    word: Option<W>,
+}
+
+/// A pixel through which the silhouette of one of several surfaces passes.
+#[derive(Debug, Copy, Clone)]
+struct Crowded<W, D> {
+    column: i32,
+    /// The face and the depth of the edge.
+    face: u16,
+    depth: D,
+    /// Surfaces in the pixel by area: whole ones, and the part of the one that ends here.
+    whole: i32,
+    coverage: Coverage,
+    /// What was in the pixel before.
+    before: W,
+    /// Surfaces at the centre of the pixel, and the nearest two of them.
+    surfaces: i32,
+    nearest: Option<Surface<W, D>>,
+    second: Option<Surface<W, D>>,
+}
+
+/// Pixels with several surfaces for which the faces of the row are looked through at once.
+const BATCH: usize = 8;
+
+/// Mixes all pixels of a row through which silhouettes pass, and leaves the columns empty.
+#[inline(never)]
+pub(super) fn mix_silhouettes<S, O, D, H, F>(
+    faces: &F,
+    row: &mut DepthRow<'_, H::Color, O, D>,
+    edges: &mut EdgeRow<'_, WordOf<H>, D>,
+    crossing: &impl Crossing<S, H>,
+) where
+    S: ScreenPrecision,
+    O: Order,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+{
+    let [first, end] = edges.touched;
+    if first >= end {
+        return;
+    }
+    let touched = edges.columns.get_mut(first as usize..end as usize);
+    let mut area = Wrapping(0);
+    let mut crowded = [None; BATCH];
+    let mut free = crowded.iter_mut();
+    for (column, edge) in (first..end).zip(touched.unwrap_or_default()) {
+        if edge.change != 0 {
+            area += edge.change;
+            edge.change = 0;
+        }
+        let Some(face) = edge.face.checked_sub(1) else {
+            continue;
+        };
+        edge.face = 0;
+        let part = (area.0 & ((1 << AREA_BITS) - 1)) * i32::from(Coverage::MAX) + (1 << (AREA_BITS - 1));
+        let coverage = (part >> AREA_BITS) as Coverage;
+        if coverage == 0 {
+            continue;
+        }
+        let whole = area.0 >> AREA_BITS;
+        let (Some(pixel), Some(depth)) = (row.words.get(column as usize), row.depths.get(column as usize)) else {
+            continue;
+        };
+        let before = O::reorder(edge.behind);
+        if *depth == D::FARTHEST {
+            // No surface is at the centre of the pixel.
+            let coverage = if whole > 0 { Coverage::MAX } else { coverage };
+            if let Some(word) = word_of_face(faces, face, [column, row.y], row.left, crossing) {
+                mix::<_, _, _, _, F>(row, column, word, before, coverage);
+            }
+        } else if whole == 0 {
+            // One surface, which is at the centre.
+            let word = O::reorder(*pixel);
+            mix::<_, _, _, _, F>(row, column, word, before, coverage);
+        } else {
+            let pixel = Crowded {
+                column,
+                face,
+                depth: edge.depth,
+                whole,
+                coverage,
+                before,
+                surfaces: 0,
+                nearest: None,
+                second: None,
+            };
+            let slot = match free.next() {
+                Some(slot) => slot,
+                None => {
+                    mix_crowded(faces, row, &mut crowded, crossing);
+                    free = crowded.iter_mut();
+                    let Some(slot) = free.next() else { continue };
+                    slot
+                }
+            };
+            *slot = Some(pixel);
+        }
+    }
+    mix_crowded(faces, row, &mut crowded, crossing);
+}
+
+/// Mixes a pixel.
+#[inline]
+fn mix<S, O, D, H, F>(
+    row: &mut DepthRow<'_, H::Color, O, D>,
+    column: i32,
+    word: WordOf<H>,
+    behind: WordOf<H>,
+    coverage: Coverage,
+) where
+    S: ScreenPrecision,
+    O: Order,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+{
+    if let Some(pixel) = row.words.get_mut(column as usize) {
+        let position = Point::new(column + row.left, row.y);
+        *pixel = O::reorder(F::mix(word, behind, coverage, position));
+    }
+}
+
+/// Mixes the pixels of a batch, and leaves it empty.
+#[inline(never)]
+fn mix_crowded<S, O, D, H, F>(
+    faces: &F,
+    row: &mut DepthRow<'_, H::Color, O, D>,
+    crowded: &mut [Option<Crowded<WordOf<H>, D>>; BATCH],
+    crossing: &impl Crossing<S, H>,
+) where
+    S: ScreenPrecision,
+    O: Order,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+{
+    let [Some(leftmost), ..] = crowded else { return };
+    let leftmost = leftmost.column;
+    let rightmost = crowded.iter().flatten().last().map_or(leftmost, |last| last.column);
+    let at = [row.y, row.left];
+    crossing.for_each(|face| {
+        let [start, end] = face.span();
+        // Most faces are elsewhere.
+        if rightmost < start || end <= leftmost || face.is_translucent() {
+            return;
+        }
+        for pixel in crowded.iter_mut().map_while(Option::as_mut) {
+            if start <= pixel.column && pixel.column < end {
+                add_surface(faces, pixel, face, at);
+            }
+        }
+    });
+    for pixel in crowded {
+        let Some(pixel) = pixel.take() else { return };
+        if let Some((word, behind)) = mixed(faces, &pixel, at, crossing) {
+            mix::<_, _, _, _, F>(row, pixel.column, word, behind, pixel.coverage);
+        }
+    }
+}
+
+/// Adds a face that is at the centre of a pixel to its surfaces.
+#[inline]
+fn add_surface<S, D, H, F>(faces: &F, pixel: &mut Crowded<WordOf<H>, D>, face: &ActiveFace<S, H>, [y, left]: [i32; 2])
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+{
+    let at = [pixel.column, y];
+    pixel.surfaces += 1;
+    let surface = Surface {
+        face: face.node,
+        depth: D::from_interpolated(face.plane.at(pixel.column, y).0),
+        order: faces.order(face.node),
+        word: word_of(faces, face, at, left),
+    };
+    if is_before(&surface, pixel.nearest.as_ref()) {
+        pixel.second = pixel.nearest.replace(surface);
+    } else if is_before(&surface, pixel.second.as_ref()) {
+        pixel.second = Some(surface);
+    }
+}
+
+/// What is mixed in a pixel with several surfaces: the word of the one that ends there and that behind it; `None` where the edge is
+/// hidden.
+#[inline]
+fn mixed<S, D, H, F>(
+    faces: &F,
+    pixel: &Crowded<WordOf<H>, D>,
+    [y, left]: [i32; 2],
+    crossing: &impl Crossing<S, H>,
+) -> Option<(WordOf<H>, WordOf<H>)>
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+{
+    let nearest = pixel.nearest.as_ref()?;
+    if pixel.surfaces > pixel.whole {
+        // The surface that ends here is at the centre of the pixel.
+        let behind = match &pixel.second {
+            Some(second) if !ends(faces, (pixel.face, pixel.depth), nearest, second) => return None,
+            Some(second) => second.word.unwrap_or(pixel.before),
+            None => pixel.before,
+        };
+        return nearest.word.map(|word| (word, behind));
+    }
+    if pixel.depth < nearest.depth {
+        return None;
+    }
+    let word = word_of_face(faces, pixel.face, [pixel.column, y], left, crossing)?;
+    Some((word, nearest.word.unwrap_or(pixel.before)))
+}
+
+/// Whether it is the nearest of two surfaces that ends at an edge, of which the face and the depth are known: that which has the
+/// face of the edge or one with a common corner; of two such, or none, that which is nearer to the edge. An edge in front of both, or
+/// behind both, needs no look.
+fn ends<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    (face, depth): (u16, D),
+    nearest: &Surface<WordOf<H>, D>,
+    second: &Surface<WordOf<H>, D>,
+) -> bool {
+    if depth >= nearest.depth || depth <= second.depth {
+        return depth >= nearest.depth;
+    }
+    let is_next_to = |surface: &Surface<WordOf<H>, D>| {
+        let corners = [face, surface.face].map(|face| corners_from_top(faces, face));
+        match corners {
+            [Some(corners), Some(others)] => corners.into_iter().any(|corner| others.contains(&corner)),
+            _ => false,
+        }
+    };
+    match (is_next_to(nearest), is_next_to(second)) {
+        (true, false) => true,
+        (false, true) => false,
+        _ => {
+            let depth = depth.units();
+            depth - second.depth.units() >= nearest.depth.units() - depth
+        }
+    }
+}
+
+/// Whether a surface is in front of another one: nearer, or as near and first in the order of the models.
+fn is_before<W, D: DepthWidth>(surface: &Surface<W, D>, other: Option<&Surface<W, D>>) -> bool {
+    other.is_none_or(|other| {
+        surface.depth > other.depth || (surface.depth == other.depth && surface.order < other.order)
+    })
+}
+
+/// The word of a face at a pixel of the row that it covers, or that is beside it: attributes are at most those of its corners.
+#[inline]
+fn word_of<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+    faces: &F,
+    face: &ActiveFace<S, H>,
+    [column, row]: [i32; 2],
+    left: i32,
+) -> Option<WordOf<H>> {
+    if H::Attributes::VARY {
+        shaded_word_of(faces, face, [column, row], left)
+    } else {
+        Some(face.word)
+    }
+}
+
+#[inline(never)]
+fn shaded_word_of<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+    faces: &F,
+    face: &ActiveFace<S, H>,
+    [column, row]: [i32; 2],
+    left: i32,
+) -> Option<WordOf<H>> {
+    let skin = faces.skin(face.node)?;
+    let mut values = run::<S, D, H, F>(face, [column, column + 1], [column, row], left, None).values;
+    H::Attributes::clamp(&mut values, &faces.attributes(face.node)?);
+    F::fragment(skin, face.word, &values)
+}
+
+/// The word of a face at a pixel of the row beside it.
+#[inline]
+fn word_of_face<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+    faces: &F,
+    node: u16,
+    at: [i32; 2],
+    left: i32,
+    crossing: &impl Crossing<S, H>,
+) -> Option<WordOf<H>> {
+    if !H::Attributes::VARY {
+        return faces.face(node).map(|(_, word)| word);
+    }
+    let mut found = None;
+    crossing.for_each(|face| {
+        if face.node == node {
+            found = word_of(faces, face, at, left);
+        }
+    });
+    found.or_else(|| word_of_absent_face(faces, node, at, left))
+}
+
+/// The word of a face at a pixel of the row beside it, which it does not cross.
+#[cold]
+#[inline(never)]
+fn word_of_absent_face<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+    faces: &F,
+    node: u16,
+    at: [i32; 2],
+    left: i32,
+) -> Option<WordOf<H>> {
+    let face = face_in_first_row(faces, node, &surroundings(faces, left))?;
+    word_of(faces, &face, at, left)
+}

@@ -1,0 +1,416 @@
+//! The silhouettes in a row: what of each pixel lies inside them, by area.
+//!
+//! ```text
+//!      edge of a silhouette               Each edge that goes up covers all to its right, one that goes down takes that away again:
+//!   +------+--/---+------+------+         cells with cover and area, as for outlines. So the sum in a pixel is the number of surfaces
+//!   |      | /####|######|######|         that face the viewer there, one behind the other: 1, 2, and with a fraction where a
+//!   +------+/-----+------+------+         silhouette passes through the pixel.
+//!     0      3/4     1      1
+//!                                         The fraction is the coverage of that surface. Edges between two faces of a surface cancel
+//!                                         out, to the bit: a mesh has no seams.
+//! ```
+//!
+//! Guarantees: coverage is the exact area within 1/128 of a pixel, rounded to 1/255, where the silhouettes of one surface pass through
+//! a pixel, also where corners or several edges lie in it. Two silhouettes that pass through one pixel at different depths are taken
+//! for one.
+//!
+//! Source: cells with cover and area (FreeType's smooth rasterizer, Turner 2000) of silhouette edges alone (Sander, Hoppe, Snyder and
+//! Gortler 2001, "Discontinuity edge overdraw").
+
+use core::{fmt::Debug, num::Wrapping};
+
+use embedded_graphics::geometry::Point;
+
+use crate::{
+    coverage::{COVER_BITS, Cell, Coverage, X_BITS, X_ONE, for_each_visible_cell},
+    geometry::{divide_floor_large, divide_long, leading_zeros},
+    shade::{ChannelColor, Encoded},
+    surface::{BandColor, LittleEndian, Order, PixelWord},
+    view::{DepthWidth, ScreenPrecision, ScreenVertex},
+};
+
+// Not re-exported: how silhouettes are drawn is said by a wrapper of the look.
+/// How the silhouettes of a look are drawn: by the centres of pixels (`()`), or [by area](ByArea).
+pub trait Silhouettes<C: BandColor>: Debug + 'static {
+    /// Whether they are drawn by area.
+    const BY_AREA: bool;
+    /// What is kept of each column of the row.
+    type Column<D: DepthWidth>: Entry;
+    /// What is kept of each face.
+    type FaceEdges: Entry;
+
+    /// What is kept of the columns, where silhouettes are drawn by area; else nothing.
+    fn columns<D: DepthWidth>(columns: &mut [Self::Column<D>]) -> &mut [EdgeColumn<C::Word, D>];
+
+    /// What is kept of faces, where silhouettes are drawn by area; else nothing.
+    fn faces(faces: &mut [Self::FaceEdges]) -> &mut [FaceEdges];
+
+    /// The word of a pixel of which a part is covered, in the machine's byte order.
+    fn mix(fragment: C::Word, behind: C::Word, coverage: Coverage, position: Point) -> C::Word;
+}
+
+// Not re-exported.
+/// An entry of a table.
+pub trait Entry: Copy + Debug {
+    /// The entry of a new table: all bits are zero.
+    const EMPTY: Self;
+}
+
+impl Entry for () {
+    const EMPTY: Self = ();
+}
+
+impl<C: BandColor> Silhouettes<C> for () {
+    const BY_AREA: bool = false;
+    type Column<D: DepthWidth> = ();
+    type FaceEdges = ();
+
+    fn columns<D: DepthWidth>(_: &mut [()]) -> &mut [EdgeColumn<C::Word, D>] {
+        &mut []
+    }
+
+    fn faces(_: &mut [()]) -> &mut [FaceEdges] {
+        &mut []
+    }
+
+    fn mix(fragment: C::Word, _: C::Word, _: Coverage, _: Point) -> C::Word {
+        fragment
+    }
+}
+
+/// Silhouettes by the area of each pixel that lies inside them.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ByArea;
+
+impl<C: ChannelColor> Silhouettes<C> for ByArea {
+    const BY_AREA: bool = true;
+    type Column<D: DepthWidth> = EdgeColumn<C::Word, D>;
+    type FaceEdges = FaceEdges;
+
+    fn columns<D: DepthWidth>(columns: &mut [EdgeColumn<C::Word, D>]) -> &mut [EdgeColumn<C::Word, D>] {
+        columns
+    }
+
+    fn faces(faces: &mut [FaceEdges]) -> &mut [FaceEdges] {
+        faces
+    }
+
+    fn mix(fragment: C::Word, behind: C::Word, coverage: Coverage, position: Point) -> C::Word {
+        let mut word = [LittleEndian::reorder(behind)];
+        C::blend_run::<Encoded, LittleEndian>(&mut word, position, C::from_word(fragment), coverage);
+        let [word] = word;
+        LittleEndian::reorder(word)
+    }
+}
+
+// Not re-exported.
+/// A pixel of a row, as far as silhouettes pass through it.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EdgeColumn<W, D> {
+    /// What the number of surfaces in the pixel has more than in the pixel before it, 2^18 for 1.
+    pub(super) change: i32,
+    /// The face of the nearest edge that passes through the pixel, plus one; 0 where there is none.
+    pub(super) face: u16,
+    /// The depth of that edge there.
+    pub(super) depth: D,
+    /// What was in the pixel before the row was drawn.
+    pub(super) behind: W,
+}
+
+impl<W: PixelWord, D: DepthWidth> Entry for EdgeColumn<W, D> {
+    const EMPTY: Self = Self {
+        change: 0,
+        face: 0,
+        depth: D::FARTHEST,
+        behind: W::ZERO,
+    };
+}
+
+// Not re-exported.
+/// Which edges of a face are silhouettes, and the next face that has some in the same row.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct FaceEdges(u32);
+
+impl Entry for FaceEdges {
+    const EMPTY: Self = Self(0);
+}
+
+impl FaceEdges {
+    const DRAWN: u32 = 1 << 16;
+    const COUNTED: u32 = 1 << 19;
+    const ALL_COUNTED: u32 = 7 << 19;
+    const FRONT: u32 = 1 << 22;
+    const REVERSED: u32 = 1 << 23;
+    const IS_CUT: u32 = 1 << 24;
+
+    /// A face none of whose edges is known: seen in the order of its corners, the other way round, or not at all.
+    pub(crate) fn seen(is_front: bool, is_reversed: bool) -> Self {
+        Self(if is_front { Self::FRONT } else { 0 } | if is_reversed { Self::REVERSED } else { 0 })
+    }
+
+    /// A face that a plane cuts.
+    pub(crate) const CUT: Self = Self(Self::IS_CUT);
+
+    /// Whether the face is seen.
+    pub(crate) fn is_seen(self) -> bool {
+        self.0 & (Self::FRONT | Self::REVERSED) != 0
+    }
+
+    /// Whether the corners of the face run counterclockwise on the screen.
+    pub(crate) fn is_reversed(self) -> bool {
+        self.0 & Self::REVERSED != 0
+    }
+
+    /// The face with what its edge of that number is, where another face is on its other side: in the same surface, no silhouette;
+    /// where that one is cut, it counts in the number of surfaces alone; else a silhouette.
+    pub(crate) fn with_neighbour(self, edge: u32, neighbour: Self) -> Self {
+        const SIDES: u32 = FaceEdges::FRONT | FaceEdges::REVERSED;
+        if neighbour.0 & Self::IS_CUT != 0 {
+            Self(self.0 | Self::COUNTED << edge)
+        } else if neighbour.0 & SIDES == self.0 & SIDES {
+            self
+        } else {
+            Self(self.0 | (Self::COUNTED | Self::DRAWN) << edge)
+        }
+    }
+
+    /// Whether the face has an edge that is a silhouette, or counts.
+    pub(crate) fn has_any(self) -> bool {
+        self.0 & Self::ALL_COUNTED != 0
+    }
+
+    /// Whether the edge of that number counts, and whether it is a silhouette.
+    pub(crate) fn edge(self, edge: u32) -> (bool, bool) {
+        (
+            self.0 & (Self::COUNTED << edge) != 0,
+            self.0 & (Self::DRAWN << edge) != 0,
+        )
+    }
+
+    /// The next face of the row, or [`NONE`].
+    pub(crate) fn next(self) -> u16 {
+        self.0 as u16
+    }
+
+    /// The same with another next face.
+    #[must_use]
+    pub(crate) fn with_next(self, next: u16) -> Self {
+        Self(self.0 & !0xffff | u32::from(next))
+    }
+}
+
+/// The columns of a row, and those of them through which silhouettes pass: from the first to the one after the last.
+pub(crate) struct EdgeRow<'c, W, D> {
+    pub(super) columns: &'c mut [EdgeColumn<W, D>],
+    pub(super) touched: [i32; 2],
+    /// The row in the picture, and its first column.
+    y: i32,
+    left: i32,
+}
+
+/// What a row that is drawn knows of the silhouettes in it: nothing (`()`), or their columns.
+pub(crate) trait RowEdges<W, D> {
+    fn columns(&mut self) -> Option<EdgeRow<'_, W, D>>;
+}
+
+impl<W, D> RowEdges<W, D> for () {
+    #[inline(always)]
+    fn columns(&mut self) -> Option<EdgeRow<'_, W, D>> {
+        None
+    }
+}
+
+impl<W, D> RowEdges<W, D> for EdgeRow<'_, W, D> {
+    #[inline(always)]
+    fn columns(&mut self) -> Option<EdgeRow<'_, W, D>> {
+        let Self { touched, y, left, .. } = *self;
+        Some(EdgeRow {
+            columns: self.columns,
+            touched,
+            y,
+            left,
+        })
+    }
+}
+
+/// The part of an edge that lies in a row.
+#[derive(Debug, Copy, Clone)]
+struct Part {
+    /// Left and right end in 1/8192 pixel, from the left side of the row.
+    ends: [i32; 2],
+    /// In 1/16384 pixel, negative where the edge goes down.
+    height: i32,
+}
+
+impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
+    /// A row, into which no edge was added yet. The columns were left so by the row before it.
+    pub(crate) fn new(columns: &'c mut [EdgeColumn<W, D>], [left, y]: [i32; 2]) -> Self {
+        Self {
+            columns,
+            touched: [i32::MAX, i32::MIN],
+            y,
+            left,
+        }
+    }
+
+    /// Adds an edge of a face, clockwise; `words` are the pixels of the row, which nothing of the scene was drawn to yet. An edge
+    /// that is not drawn counts in the number of surfaces alone. Returns whether the edge goes on below the row.
+    pub(crate) fn add<S: ScreenPrecision>(
+        &mut self,
+        words: &[W],
+        face: u16,
+        ends: [&ScreenVertex<S, D>; 2],
+        is_drawn: bool,
+    ) -> bool {
+        let one = 1 << S::FRACTION_BITS;
+        let top = (self.y << S::FRACTION_BITS) - one / 2;
+        let [from, to] = ends;
+        let goes_up = to.y_units() < from.y_units();
+        let [upper, lower] = if goes_up { [to, from] } else { [from, to] };
+        let (first, last) = (upper.y_units(), lower.y_units());
+        let [start, end] = [first.max(top), last.min(top + one)];
+        // A level edge on the boundary of two rows passes through no pixel.
+        if start < end || (first == last && top < first && first < top + one) {
+            let height = (end - start) << (COVER_BITS - S::FRACTION_BITS);
+            let part = Part {
+                ends: self.ends::<S>([upper, lower], [start, end]),
+                height: if goes_up { height } else { -height },
+            };
+            if let Some(columns) = self.add_part(&part, words.len()) {
+                if is_drawn {
+                    let depth = self.depth::<S>([upper, lower], [start, end], columns);
+                    self.mark(words, columns, face, depth);
+                }
+            }
+        }
+        last > top + one
+    }
+
+    /// The left and the right end of the part of an edge between two y, in 1/8192 pixel from the left side of the row.
+    #[inline]
+    fn ends<S: ScreenPrecision>(&self, [upper, lower]: [&ScreenVertex<S, D>; 2], [start, end]: [i32; 2]) -> [i32; 2] {
+        // The left side of a pixel is half a pixel left of its centre.
+        let left = self.left * X_ONE - X_ONE / 2;
+        let x = |vertex: &ScreenVertex<S, D>| (vertex.x_units() << (X_BITS - S::FRACTION_BITS)) - left;
+        let (y, size) = (upper.y_units(), lower.y_units() - upper.y_units());
+        let (mut x_start, mut x_end) = (x(upper), x(lower));
+        if start > y || end < y + size {
+            // Columns a row with as many bits as fit: times a part of the height it is at most the width, shifted as far.
+            let width = lower.x_units() - upper.x_units();
+            let shift = leading_zeros(width.unsigned_abs() | 1) - 2;
+            let (slope, _) = divide_floor_large(width << shift, size);
+            let at = |y_at: i32| x(upper) + ((slope * (y_at - y)) >> (shift + S::FRACTION_BITS - X_BITS));
+            if end < y + size {
+                x_end = at(end);
+            }
+            if start > y {
+                x_start = at(start);
+            }
+        }
+        [x_start.min(x_end), x_start.max(x_end)]
+    }
+
+    /// Adds a part of an edge. Returns the first and the last column that it passes through, `None` where it passes through no pixel
+    /// of the row.
+    #[inline]
+    fn add_part(&mut self, part: &Part, words: usize) -> Option<[i32; 2]> {
+        let [left, right] = part.ends;
+        let [first, last] = part.ends.map(|x| x >> X_BITS);
+        let width = words.min(self.columns.len()) as i32;
+        if first >= width {
+            return None;
+        }
+        let [touched_first, touched_last] = self.touched;
+        // The cell after the last column gets a change, too.
+        self.touched = [
+            touched_first.min(first.max(0)),
+            touched_last.max((last + 2).max(1).min(width)),
+        ];
+        if part.height != 0 {
+            self.add_cells([left, right], part.height, width);
+        }
+        // One that ends at the boundary of two pixels passes through the left one alone.
+        let last = if right & (X_ONE - 1) == 0 { last - 1 } else { last };
+        (0 <= last && first <= last).then_some([first.max(0), last.min(width - 1)])
+    }
+
+    /// Adds the cells of a part of an edge.
+    #[inline]
+    fn add_cells(&mut self, ends: [i32; 2], height: i32, width: i32) {
+        let columns = &mut *self.columns;
+        let mut add = |cell: Cell| {
+            let mut change = |column: i32, by: Wrapping<i32>| {
+                if let Some(column) = columns.get_mut(column as usize) {
+                    column.change = (Wrapping(column.change) + by).0;
+                }
+            };
+            change(cell.x, cell.cover - cell.area);
+            change(cell.x + 1, cell.area);
+        };
+        let [start, end] = ends;
+        match (end >> X_BITS) - (start >> X_BITS) {
+            0 if start >= 0 => add(Cell::within(ends, height)),
+            1 if start >= 0 => Cell::in_two(ends, height).into_iter().for_each(add),
+            _ => for_each_visible_cell(ends, height, width, add),
+        }
+    }
+
+    /// Notes that an edge of a face passes through the columns from the first to the last, and what is in them.
+    #[inline]
+    fn mark(&mut self, words: &[W], [first, last]: [i32; 2], face: u16, [mut depth, step]: [i32; 2]) {
+        let columns = first as usize..=last as usize;
+        let (Some(columns), Some(words)) = (self.columns.get_mut(columns.clone()), words.get(columns)) else {
+            return;
+        };
+        for (edge, word) in columns.iter_mut().zip(words) {
+            let here = D::from_units(depth);
+            depth += step;
+            if edge.face == 0 {
+                edge.behind = *word;
+            } else if edge.depth > here || (edge.depth == here && edge.face <= face + 1) {
+                // Of equally near ones that of the first face, in whichever order they come.
+                continue;
+            }
+            (edge.face, edge.depth) = (face + 1, here);
+        }
+    }
+
+    /// The depth of an edge in the first of the columns that it passes through between two y, in units, and what it gains from column
+    /// to column: that of its middle, where it is short.
+    #[inline]
+    fn depth<S: ScreenPrecision>(
+        &self,
+        [upper, lower]: [&ScreenVertex<S, D>; 2],
+        [start, end]: [i32; 2],
+        [column, _]: [i32; 2],
+    ) -> [i32; 2] {
+        let (width, height) = (lower.x_units() - upper.x_units(), lower.y_units() - upper.y_units());
+        if height.max(width.abs()) <= SHORT << S::FRACTION_BITS {
+            return [(upper.z.units() + lower.z.units()) >> 1, 0];
+        }
+        let change = lower.z.units() - upper.z.units();
+        if height >= width.abs() {
+            let part = ((start + end) >> 1) - upper.y_units();
+            return [upper.z.units() + scaled(change, part, height), 0];
+        }
+        let [left, right] = if width < 0 { [lower, upper] } else { [upper, lower] }.map(|end| end.z.units());
+        let (change, width) = (right - left, width.abs());
+        let x_left = upper.x_units().min(lower.x_units());
+        let part = ((column + self.left) << S::FRACTION_BITS) - x_left;
+        let step = scaled(change, 1 << S::FRACTION_BITS, width);
+        [left + scaled(change, part.max(0).min(width), width), step]
+    }
+}
+
+/// Pixels up to which an edge is short, in height and in width.
+const SHORT: i32 = 16;
+
+/// change * part / whole, rounded down, for a part of a whole that is at least 1.
+#[cold]
+#[inline(never)]
+fn scaled(change: i32, part: i32, whole: i32) -> i32 {
+    divide_long(i64::from(change) * i64::from(part), whole).0
+}
