@@ -139,7 +139,8 @@ fn write_neighbours(to: &mut String, count: usize, name: &str) -> std::fmt::Resu
     let skip = if line.len() > COLUMNS { "\n#[rustfmt::skip]" } else { "" };
     writeln!(
         to,
-        "\n/// The faces beside each face, 6 bytes each where they are used: `{name}.with_neighbours(&{name}_NEIGHBOURS)`.{skip}\n{line}"
+        "\n/// The faces beside each face, 6 bytes each where they are used: `{name}.with_neighbours(&{name}_NEIGHBOURS)`.\n\
+         #[allow(dead_code, reason = \"for antialiased silhouettes alone\")]{skip}\n{line}"
     )
 }
 

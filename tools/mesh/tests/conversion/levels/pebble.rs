@@ -26,6 +26,7 @@ pub static PEBBLE: FaceSet = match FaceSet::new(&VERTICES, &FACES) {
 };
 
 /// The faces beside each face, 6 bytes each where they are used: `PEBBLE.with_neighbours(&PEBBLE_NEIGHBOURS)`.
+#[allow(dead_code, reason = "for antialiased silhouettes alone")]
 pub static PEBBLE_NEIGHBOURS: [[u16; 3]; 80] = FaceSet::find_neighbours(&FACES);
 
 /// The colour of each face.

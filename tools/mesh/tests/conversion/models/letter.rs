@@ -15,6 +15,7 @@ pub static LETTER: FaceSet = match FaceSet::new(&VERTICES, &FACES) {
 };
 
 /// The faces beside each face, 6 bytes each where they are used: `LETTER.with_neighbours(&LETTER_NEIGHBOURS)`.
+#[allow(dead_code, reason = "for antialiased silhouettes alone")]
 pub static LETTER_NEIGHBOURS: [[u16; 3]; 16] = FaceSet::find_neighbours(&FACES);
 
 /// The colour of each face.
