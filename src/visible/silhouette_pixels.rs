@@ -145,7 +145,6 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
         let before = O::reorder(edge.behind);
         if *depth == D::FARTHEST {
             // No surface is at the centre of the pixel.
-            let coverage = if whole > 0 { Coverage::MAX } else { coverage };
             if let Some(word) = word_of_face(faces, face, [column, row.y], row.left, crossing) {
                 mix::<_, _, _, _, F>(row, column, word, before, coverage);
             }

@@ -12,7 +12,7 @@ use zrow::{
     geometry::SubPixel,
     scene::{
         Affine, Antialiased, Camera, Deep, DoubleSided, FaceSet, Fine, Look, Memory, Model, OnePass, Orthographic,
-        Pose, Prepared, Whole,
+        Pose, Prepared, Rotation, Whole,
     },
     shade::{Gouraud, GouraudSkin, Lambert, Shading, Transformed, Translucent},
 };
@@ -21,7 +21,7 @@ use crate::common::meshes::{Mesh, cube, icosphere, torus};
 use crate::common::{cases, config};
 use crate::depth_row::{faces, pose};
 use crate::numbered_scene::area;
-use crate::snapped_faces::{camera, snapped};
+use crate::snapped_faces::{at, camera, snapped};
 
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 64;
@@ -223,14 +223,18 @@ where
     [on_one, on_several]
 }
 
-/// Bodies one behind the other.
+/// Bodies one behind the other; behind them may be one that fills the picture.
 fn bodies() -> impl Strategy<Value = (Vec<Mesh>, Vec<Pose>)> {
     let body =
         (0..3usize, pose(0..1)).prop_map(|(kind, pose)| ([cube(0.4), icosphere(0.45), cube(0.2)][kind].clone(), pose));
-    prop::collection::vec(body, 1..=3).prop_map(|bodies| {
-        let (meshes, mut poses): (Vec<_>, Vec<_>) = bodies.into_iter().unzip();
+    (prop::collection::vec(body, 1..=2), any::<bool>()).prop_map(|(bodies, has_wall)| {
+        let (mut meshes, mut poses): (Vec<_>, Vec<_>) = bodies.into_iter().unzip();
         for (pose, index) in poses.iter_mut().zip(0..) {
             pose.translation[2] = I16F16::from_num(1_100 + 900 * index);
+        }
+        if has_wall {
+            meshes.push(cube(4.0));
+            poses.push(Pose::new(Rotation::IDENTITY, at(0, 0, 6_000)));
         }
         (meshes, poses)
     })
@@ -450,7 +454,12 @@ fn the_next_surface_is_behind_a_side() {
     let found = row_of_rectangles::<Antialiased<Gray8>>(&far_first, levels, 31..34);
     assert_eq!((found[0], found[2]), (200, 100));
     assert!((f64::from(found[1]) - expected(100.0, 200.0)).abs() < 1.2, "{found:?}");
-    // The side of the far one behind the near one.
+    // The side of the far one behind the near one, also where that of the near one is exactly between two pixels.
+    let hidden = [[0, 400, 100, -100, 1024], [16, 800, 200, -200, 2048]];
+    assert_eq!(
+        row_of_rectangles::<Antialiased<Gray8>>(&hidden, levels, 31..34),
+        [40, 200, 200]
+    );
     let hidden = [[-400, 400, 100, -100, 1024], [16, 800, 200, -200, 2048]];
     assert_eq!(
         row_of_rectangles::<Antialiased<Gray8>>(&hidden, levels, 30..35),
@@ -484,6 +493,133 @@ fn colours_beside_a_face_are_those_of_its_corners() {
     let found = row_of_rectangles::<Look>(&rectangles, skin, 31..34);
     assert_eq!((found[0], found[2]), (40, 200));
     assert!((158..=162).contains(&found[1]), "{found:?}");
+}
+
+/// The level of grey is a number of each vertex, and whatever it is past them.
+#[derive(Debug)]
+struct Steep;
+
+impl Shading for Steep {
+    type Color = Gray8;
+    type Skin<'a> = &'a [i16];
+    type Uniforms = ();
+    type Attributes = [i16; 1];
+
+    fn uniforms(_: &&[i16], _: &Pose, _: &Camera) {}
+
+    fn vertex(levels: &&[i16], (): &(), vertex: usize, _: [i32; 3]) -> [i16; 1] {
+        [levels[vertex]]
+    }
+
+    fn fragment(_: &&[i16], _: u8, [level]: &[i32; 1]) -> Option<u8> {
+        Some((level >> 16) as u8)
+    }
+}
+
+proptest! {
+    #![proptest_config(config(cases(8, 200)))]
+
+    /// Where faces are thin, their attributes are soon far from those of the corners.
+    #[test]
+    fn attributes_beside_thin_faces_are_between_those_of_their_corners(
+        mesh in faces(300, 8),
+        pose in pose(700..1_500),
+        levels in prop::collection::vec(prop::sample::select(vec![100i16, 200]), 24),
+    ) {
+        let whole = area(WIDTH, HEIGHT);
+        let surface = Surface::new(mesh);
+        let models = [Model::<Steep>::with_skin(surface.face_set(), &levels).unwrap().with_pose(pose)];
+        let mut memory = Box::new(Many::<Antialiased<Steep>>::new());
+        // As bright as the brightest: nothing is brighter.
+        let mut words = vec![200; 64 * 64];
+        let mut band = Band::<Gray8>::new(whole, &mut words).unwrap();
+        memory.prepare(&camera(whole), &models).unwrap().draw(&mut band);
+        prop_assert!(words.iter().all(|level| (100..=200).contains(level)));
+    }
+}
+
+/// A floor of 8 x 8 squares of 200 units, from a column on.
+fn floor(left: i16) -> Surface {
+    const SIDE: u16 = 8;
+    let row = |z: u16| (0..=SIDE).map(move |x| [left + x as i16 * 200, -150, z as i16 * 200 - 400]);
+    let square = |x: u16, z: u16| {
+        let [a, b] = [z * (SIDE + 1) + x, (z + 1) * (SIDE + 1) + x];
+        [[a, b, b + 1], [a, b + 1, a + 1]]
+    };
+    Surface::new(Mesh::new(
+        (0..=SIDE).flat_map(row).collect(),
+        (0..SIDE)
+            .flat_map(|z| (0..SIDE).flat_map(move |x| square(x, z)))
+            .collect(),
+    ))
+}
+
+/// The pixels around a pixel, and itself.
+fn around(point: Point) -> impl Iterator<Item = Point> + Clone {
+    let all = (-1..=1).flat_map(move |y| (-1..=1).map(move |x| point + Point::new(x, y)));
+    all.filter(|point| area(WIDTH, HEIGHT).contains(*point))
+}
+
+fn at_point(picture: &[Rgb888], point: Point) -> Rgb888 {
+    picture[(point.y * WIDTH as i32 + point.x) as usize]
+}
+
+/// A floor of many faces that the near plane cuts is whole: no seam runs along the cut ones.
+#[test]
+fn cut_faces_leave_no_seam() {
+    let surface = floor(-800);
+    let colors = vec![Rgb888::WHITE; 200];
+    let mut inside = 0;
+    for turn in 0..16 {
+        let rotation = Rotation::about_y(U0F16::from_num(f64::from(turn) / 64.0));
+        let pose = Pose::new(rotation, at(0, 0, 200));
+        let models = [Model::new(surface.face_set(), &colors).unwrap().with_pose(pose)];
+        let [aliased, picture] = both_pictures::<Rgb888>(&camera(area(WIDTH, HEIGHT)), &models);
+        for point in area(WIDTH, HEIGHT).points() {
+            if around(point).all(|point| at_point(&aliased, point) == Rgb888::WHITE) {
+                inside += 1;
+                assert_eq!(at_point(&picture, point), Rgb888::WHITE, "{point:?}, turn {turn}");
+            }
+        }
+    }
+    assert!(inside > 5_000, "{inside} pixels of floor");
+}
+
+/// What is right of faces that are cut has the silhouettes that it has without them.
+#[test]
+fn cut_faces_change_nothing_beside_them() {
+    let (ground, body) = (floor(-1_700), Surface::new(icosphere(0.5)));
+    let colors = vec![Rgb888::WHITE; 400];
+    let model = |surface: &'static Surface, turns: f64, position: [i32; 3]| {
+        Model::new(surface.face_set(), colors.clone().leak())
+            .unwrap()
+            .with_pose(Pose::new(
+                Rotation::about_y(U0F16::from_num(turns)),
+                position.map(I16F16::from_num),
+            ))
+    };
+    let (ground, body) = (&*Box::leak(Box::new(ground)), &*Box::leak(Box::new(body)));
+    let mut compared = 0;
+    for step in 0..20 {
+        let (floor, ball) = (
+            model(ground, 0.97, [0, 0, 200]),
+            model(body, 0.0, [150, -750 + 15 * step, 900]),
+        );
+        let camera = camera(area(WIDTH, HEIGHT));
+        let [aliased, picture] = both_pictures::<Rgb888>(&camera, &[floor, ball]);
+        let [aliased_alone, alone] = both_pictures::<Rgb888>(&camera, &[ball]);
+        for point in area(WIDTH, HEIGHT).points() {
+            if around(point).all(|point| at_point(&aliased, point) == at_point(&aliased_alone, point)) {
+                assert_eq!(
+                    at_point(&picture, point),
+                    at_point(&alone, point),
+                    "{point:?}, step {step}"
+                );
+                compared += usize::from(at_point(&alone, point) != at_point(&aliased_alone, point));
+            }
+        }
+    }
+    assert!(compared > 500, "{compared} pixels of silhouettes");
 }
 
 /// Translucent models have no silhouettes by area; those of the others are seen through them.
