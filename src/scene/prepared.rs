@@ -18,6 +18,76 @@ use crate::{
 };
 
 /// A scene ready to be drawn, in the memory of a [`Frame`].
+///
+/// # Behind and in front of a scene
+///
+/// A scene draws the pixels that its faces cover and leaves the others as they were. What is drawn into a band before the
+/// scene is behind all of it, at any distance, and what is drawn after it is in front of all of it. So a sky is one more line:
+/// the band filled in a [`Paint`](crate::shade::Paint), such as a [`LinearGradient`](crate::shade::LinearGradient) or one of
+/// the program's own that asks the camera where it looks. A sky box is a scene of its own that is drawn first, and what the
+/// viewer holds in its hands one that is drawn last: each scene begins with cleared depths, so that neither needs a part of the
+/// range of depths for itself (`glDepthRange`).
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::{I16F16, U0F16};
+/// use zrow::{
+///     band::{Band, Target},
+///     draw::{DrawOn, PrimitiveStyle},
+///     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},
+///     shade::Paint,
+/// };
+///
+/// /// Blue where the ray of a pixel rises, brown where it falls.
+/// struct Horizon(Camera);
+///
+/// impl Paint for Horizon {
+///     type Color = Rgb565;
+///
+///     fn colors_from(&self, start: Point) -> impl Iterator<Item = Rgb565> {
+///         let camera = &self.0;
+///         let (viewport, [x, y]) = (camera.viewport(), camera.centre());
+///         // The direction of the ray in eye space, in half pixels, and how much it rises, with 14 fractional bits.
+///         let right = 2 * (start.x - viewport.left) + 1 - (x.to_bits() >> 15);
+///         let up = (y.to_bits() >> 15) - 2 * (start.y - viewport.top) - 1;
+///         let ahead = camera.focal_length().to_bits() >> 15;
+///         let [_, [rise_right, rise_up, rise_ahead], _] =
+///             camera.pose().rotation.matrix().map(|row| row.map(|part| part.to_bits() >> 16));
+///         let mut rise = right * rise_right + up * rise_up + ahead * rise_ahead;
+///         core::iter::repeat_with(move || {
+///             let color = if rise > 0 { Rgb565::CSS_SKY_BLUE } else { Rgb565::CSS_SADDLE_BROWN };
+///             // To the next column, which is two half pixels away.
+///             rise += 2 * rise_right;
+///             color
+///         })
+///     }
+/// }
+///
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// // Looking up by a twelfth of a turn: the horizon goes down, by 32 pixels times tan 30 degrees.
+/// let pose = Pose::new(Rotation::about_x(U0F16::from_num(11.0 / 12.0)), [I16F16::ZERO; 3]);
+/// let camera = Camera::new(area, I16F16::from_num(128))?.with_pose(pose);
+/// let mesh = FaceSet::new(&[[-256, 256, 1024], [0, 768, 1024], [256, 256, 1024]], &[[0, 1, 2]])?;
+/// let models = [Model::new(mesh, &[Rgb565::RED])?];
+/// let mut memory = Memory::<Rgb565, 3, 1, 64, 64>::new();
+/// let mut scene = memory.prepare(&camera, &models)?;
+///
+/// let sky = area.into_styled(PrimitiveStyle::with_fill(Rgb565::BLACK));
+/// let mut words = [0; 64 * 64];
+/// let mut band = Band::<Rgb565>::new(area, &mut words)?;
+/// let Ok(()) = sky.draw_on(&mut band.painted(&Horizon(camera)));
+/// scene.draw(&mut band);
+/// let color_at = |row: usize| band.words()[64 * row + 32];
+/// assert_eq!(color_at(0), Rgb565::CSS_SKY_BLUE.into_storage());
+/// assert_eq!(color_at(32), Rgb565::RED.into_storage());
+/// assert_eq!(color_at(49), Rgb565::CSS_SKY_BLUE.into_storage());
+/// assert_eq!(color_at(50), Rgb565::CSS_SADDLE_BROWN.into_storage());
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
+///
+/// A paint that takes long for a pixel can go where no face is instead, after the scene: [`draw_with`](Self::draw_with) hands
+/// over each row, and `sky.draw_on(&mut row.at_depth(1).painted(&paint))` draws behind all that has a depth, which is 1 at
+/// least. All rows are then drawn with depths, and translucent faces are mixed with what was in the band before.
 #[derive(Debug)]
 pub struct Prepared<'f, 'm, L: Look> {
     faces: PreparedFaces<'f, 'm, L>,
