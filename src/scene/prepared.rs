@@ -209,6 +209,61 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// }
     /// let row: Vec<u16> = band.words()[32 * 64..33 * 64].to_vec();
     /// assert_eq!(row.iter().filter(|word| **word == Rgb565::WHITE.into_storage()).count(), 2);
+    /// // The same mesh as points: each vertex at the pixel that it is in.
+    /// for corner in scene.faces().flat_map(|face| face.corners) {
+    ///     let pixel = Point::new((corner.point.x_units() + 8) >> 4, (corner.point.y_units() + 8) >> 4);
+    ///     let Ok(()) = Pixel(pixel, Rgb565::YELLOW).draw(&mut band);
+    /// }
+    /// let points = band.words().iter().filter(|word| **word == Rgb565::YELLOW.into_storage());
+    /// assert_eq!(points.count(), 3);
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    ///
+    /// With a table of edges, which `cargo run --release -- mesh MODEL.obj --edges 30` writes, only boundaries, creases and
+    /// silhouettes of a model are drawn, and not the sides of the triangles that its faces were cut into:
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Line, Rectangle}};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     draw::{DrawOn, PrimitiveStyle},
+    ///     scene::{Camera, FaceSet, Memory, Model},
+    /// };
+    ///
+    /// const VERTICES: [[i16; 3]; 4] = [[-512, -512, 1024], [-512, 512, 1024], [512, 512, 1024], [512, -512, 1024]];
+    /// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+    /// /// Two vertices, and the faces on both sides; four boundaries, and the diagonal.
+    /// const EDGES: [[u16; 4]; 5] = [[0, 1, 0, 0], [1, 2, 0, 0], [2, 3, 1, 1], [3, 0, 1, 1], [2, 0, 0, 1]];
+    /// const SHARP_EDGES: usize = 4;
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let models = [Model::new(FaceSet::new(&VERTICES, &FACES)?, &[Rgb565::RED; 2])?];
+    /// let mut memory = Memory::<Rgb565, 4, 2, 64, 64>::new();
+    /// let scene = memory.prepare(&camera, &models)?;
+    /// // Where each vertex is, in pixels, and which faces are seen from the front.
+    /// let (mut points, mut fronts) = ([Point::zero(); 4], [false; 2]);
+    /// for face in scene.faces() {
+    ///     let [a, b, c] = face.corners.map(|corner| Point::new(corner.point.x_units() + 8, corner.point.y_units() + 8) / 16);
+    ///     fronts[face.order] = (b.x - a.x) * (c.y - a.y) > (c.x - a.x) * (b.y - a.y);
+    ///     for (vertex, point) in FACES[face.order].into_iter().zip([a, b, c]) {
+    ///         points[usize::from(vertex)] = point;
+    ///     }
+    /// }
+    /// let mut words = [0; 64 * 64];
+    /// let mut band = Band::<Rgb565>::new(area, &mut words)?;
+    /// for (index, edge) in EDGES.into_iter().enumerate() {
+    ///     let [start, end, one, other] = edge.map(usize::from);
+    ///     let is_drawn = if index < SHARP_EDGES { fronts[one] || fronts[other] } else { fronts[one] != fronts[other] };
+    ///     if is_drawn {
+    ///         let line = Line::new(points[start], points[end]).into_styled(PrimitiveStyle::with_stroke(Rgb565::WHITE, 1));
+    ///         let Ok(()) = line.draw_on(&mut band);
+    ///     }
+    /// }
+    /// let row = &band.words()[32 * 64..33 * 64];
+    /// // The sides left and right, and no diagonal.
+    /// assert_eq!(row.iter().filter(|word| **word != 0).count(), 2);
     /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
