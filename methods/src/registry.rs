@@ -223,6 +223,18 @@ family! { $
 }
 
 family! { $
+    /// Attributes of triangles and convex polygons: `fn(corners, &window, emit)`, each corner with its attributes.
+    interpolations, INTERPOLATIONS {
+        plane_interpolation: [zrow::scan::Polygons::plane_interpolation], exact,
+            "Fuchs et al. 1985; Pineda 1988", "always: what scenes shade with";
+        barycentric_interpolation: [zrow::scan::Polygons::barycentric_interpolation], differing,
+            "Möbius 1827; within one unit", "where single pixels are asked for, to the nearest unit";
+        edge_and_span_interpolation: [zrow::scan::Polygons::edge_and_span_interpolation], differing,
+            "Gouraud 1971; within two units in triangles", "to see why quadrangles are drawn as triangles: it depends on how they are turned";
+    }
+}
+
+family! { $
     /// Triangle fills in homogeneous coordinates: `fn(corners, &camera, &window, emit)`.
     homogeneous_triangles, HOMOGENEOUS_TRIANGLES {
         homogeneous_triangle: [zrow::scan::Polygons::homogeneous_triangle], exact,
@@ -365,6 +377,7 @@ pub const FAMILIES: &[(&str, &[Algorithm])] = &[
     ("polygon_fills", POLYGON_FILLS),
     ("point_tests", POINT_TESTS),
     ("triangles", TRIANGLES),
+    ("interpolations", INTERPOLATIONS),
     ("homogeneous_triangles", HOMOGENEOUS_TRIANGLES),
     ("segments", SEGMENTS),
     ("convex_segments", CONVEX_SEGMENTS),

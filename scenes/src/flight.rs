@@ -1,19 +1,25 @@
-//! A flight around a clearing in the fog: the ground in perspective, cut at the near plane, and firs on two triangles each,
-//! with holes, which turn to the viewer.
+//! A flight around a clearing in the fog: the ground in perspective, cut at the near plane, firs on two triangles each, with
+//! holes, which turn to the viewer, and a sky behind them.
 
 use core::fmt;
 
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use embedded_graphics::{
+    pixelcolor::{Rgb565, Rgb888},
+    prelude::*,
+    primitives::Rectangle,
+};
 use fixed::types::I16F16;
 use zrow::{
+    band::{Band, Order, Target},
+    draw::PrimitiveStyle,
     scene::{self, Camera, FaceSet, Memory, Model, Pose, Rotation},
-    shade::{CutOut, Fog, Foggy, Indexed, IndexedImage, Textured, TexturedSkin},
+    shade::{CutOut, Fog, Foggy, Indexed, IndexedImage, LinearGradient, Ramp, Textured, TexturedSkin},
 };
 
 use crate::{
-    PrepareError, Scene,
+    PrepareError, Prepared, Scene,
     meshes::face_set,
-    paint::rgb,
+    paint::{self, rgb},
     sine::{TURN, sine},
     standard::angle,
     teapots::{shaded, word},
@@ -33,6 +39,13 @@ const FRAMES: u32 = 128;
 
 /// The grey in which everything ends.
 const HAZE: Rgb565 = rgb(170, 184, 196);
+/// The colours of the sky, from the top of the picture down to the tops of the farthest firs, which are grey already.
+const SKY: [(u8, Rgb888); 3] = [
+    (0, Rgb888::new(62, 112, 176)),
+    (150, Rgb888::new(126, 160, 196)),
+    (255, Rgb888::new(170, 184, 196)),
+];
+const SKY_ROWS: i32 = 104;
 const FOG: Fog<'static, Rgb565> = Fog {
     color: HAZE,
     start: I16F16::lit("300"),
@@ -221,9 +234,14 @@ const fn skin(
     (TexturedSkin { image, coordinates }, FOG)
 }
 
-/// The scene: the ground, and the firs.
+/// A gradient from the top to the bottom.
+type Sky = LinearGradient<Rgb565, 3>;
+
+/// The scene: the ground, the firs, and the sky.
 pub struct Flight {
     memory: Memory<Forest, VERTICES, FACES, COLUMNS, ROWS, 96>,
+    /// `None` for colours that are not in order.
+    sky: Option<Sky>,
     models: [Model<'static, Forest>; 1 + PLACES.len()],
 }
 
@@ -248,14 +266,38 @@ impl Default for Flight {
         *ground = shaded(GROUND, skin(&GRASS_INDICES, &GROUND_COORDINATES));
         Self {
             memory: Memory::new(),
+            sky: Ramp::new(SKY)
+                .and_then(|ramp| LinearGradient::new(Point::zero(), Point::new(0, SKY_ROWS), ramp))
+                .ok(),
             models,
         }
     }
 }
 
+/// A frame of a scene with a sky behind it.
+#[derive(Debug)]
+pub struct BeforeSky<'s, P> {
+    scene: P,
+    sky: &'s Option<Sky>,
+}
+
+impl<P: Prepared<Color = Rgb565>> Prepared for BeforeSky<'_, P> {
+    type Color = Rgb565;
+
+    fn draw<O: Order>(&mut self, band: &mut Band<'_, Rgb565, O>) {
+        if let Some(gradient) = self.sky {
+            // Below these rows, the band is grey already.
+            let sky = Rectangle::new(Point::zero(), Size::new(COLUMNS as u32, SKY_ROWS as u32));
+            let sky = sky.into_styled(PrimitiveStyle::with_fill(HAZE));
+            paint::shape(&mut band.painted(gradient), &sky);
+        }
+        self.scene.draw(band);
+    }
+}
+
 impl Scene for Flight {
     type Color = Rgb565;
-    type Prepared<'s> = scene::Prepared<'s, 'static, Forest>;
+    type Prepared<'s> = BeforeSky<'s, scene::Prepared<'s, 'static, Forest>>;
     const NAME: &'static str = "flight";
     const TITLE: &'static str = "flight around a clearing in fog";
     const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(COLUMNS as u32, ROWS as u32));
@@ -275,6 +317,9 @@ impl Scene for Flight {
         for fir in self.models.iter_mut().take(PLACES.len()) {
             fir.pose.rotation = rotation;
         }
-        self.memory.prepare(&camera, &self.models)
+        Ok(BeforeSky {
+            scene: self.memory.prepare(&camera, &self.models)?,
+            sky: &self.sky,
+        })
     }
 }

@@ -19,6 +19,76 @@ use crate::{
 };
 
 /// A scene ready to be drawn, in the memory of a [`Frame`].
+///
+/// # Behind and in front of a scene
+///
+/// A scene draws the pixels that its faces cover and leaves the others as they were. What is drawn into a band before the
+/// scene is behind all of it, at any distance, and what is drawn after it is in front of all of it. So a sky is one more line:
+/// the band filled in a [`Paint`](crate::shade::Paint), such as a [`LinearGradient`](crate::shade::LinearGradient) or one of
+/// the program's own that asks the camera where it looks. A sky box is a scene of its own that is drawn first, and what the
+/// viewer holds in its hands one that is drawn last: each scene begins with cleared depths, so that neither needs a part of the
+/// range of depths for itself (`glDepthRange`).
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::{I16F16, U0F16};
+/// use zrow::{
+///     band::{Band, Target},
+///     draw::{DrawOn, PrimitiveStyle},
+///     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},
+///     shade::Paint,
+/// };
+///
+/// /// Blue where the ray of a pixel rises, brown where it falls.
+/// struct Horizon(Camera);
+///
+/// impl Paint for Horizon {
+///     type Color = Rgb565;
+///
+///     fn colors_from(&self, start: Point) -> impl Iterator<Item = Rgb565> {
+///         let camera = &self.0;
+///         let (viewport, [x, y]) = (camera.viewport(), camera.centre());
+///         // The direction of the ray in eye space, in half pixels, and how much it rises, with 14 fractional bits.
+///         let right = 2 * (start.x - viewport.left) + 1 - (x.to_bits() >> 15);
+///         let up = (y.to_bits() >> 15) - 2 * (start.y - viewport.top) - 1;
+///         let ahead = camera.focal_length().to_bits() >> 15;
+///         let [_, [rise_right, rise_up, rise_ahead], _] =
+///             camera.pose().rotation.matrix().map(|row| row.map(|part| part.to_bits() >> 16));
+///         let mut rise = right * rise_right + up * rise_up + ahead * rise_ahead;
+///         core::iter::repeat_with(move || {
+///             let color = if rise > 0 { Rgb565::CSS_SKY_BLUE } else { Rgb565::CSS_SADDLE_BROWN };
+///             // To the next column, which is two half pixels away.
+///             rise += 2 * rise_right;
+///             color
+///         })
+///     }
+/// }
+///
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// // Looking up by a twelfth of a turn: the horizon goes down, by 32 pixels times tan 30 degrees.
+/// let pose = Pose::new(Rotation::about_x(U0F16::from_num(11.0 / 12.0)), [I16F16::ZERO; 3]);
+/// let camera = Camera::new(area, I16F16::from_num(128))?.with_pose(pose);
+/// let mesh = FaceSet::new(&[[-256, 256, 1024], [0, 768, 1024], [256, 256, 1024]], &[[0, 1, 2]])?;
+/// let models = [Model::new(mesh, &[Rgb565::RED])?];
+/// let mut memory = Memory::<Rgb565, 3, 1, 64, 64>::new();
+/// let mut scene = memory.prepare(&camera, &models)?;
+///
+/// let sky = area.into_styled(PrimitiveStyle::with_fill(Rgb565::BLACK));
+/// let mut words = [0; 64 * 64];
+/// let mut band = Band::<Rgb565>::new(area, &mut words)?;
+/// let Ok(()) = sky.draw_on(&mut band.painted(&Horizon(camera)));
+/// scene.draw(&mut band);
+/// let color_at = |row: usize| band.words()[64 * row + 32];
+/// assert_eq!(color_at(0), Rgb565::CSS_SKY_BLUE.into_storage());
+/// assert_eq!(color_at(32), Rgb565::RED.into_storage());
+/// assert_eq!(color_at(49), Rgb565::CSS_SKY_BLUE.into_storage());
+/// assert_eq!(color_at(50), Rgb565::CSS_SADDLE_BROWN.into_storage());
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
+///
+/// A paint that takes long for a pixel can go where no face is instead, after the scene: [`draw_with`](Self::draw_with) hands
+/// over each row, and `sky.draw_on(&mut row.at_depth(1).painted(&paint))` draws behind all that has a depth, which is 1 at
+/// least. All rows are then drawn with depths, and translucent faces are mixed with what was in the band before.
 #[derive(Debug)]
 pub struct Prepared<'f, 'm, L: Look> {
     faces: PreparedFaces<'f, 'm, L>,
@@ -161,6 +231,61 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// }
     /// let row: Vec<u16> = band.words()[32 * 64..33 * 64].to_vec();
     /// assert_eq!(row.iter().filter(|word| **word == Rgb565::WHITE.into_storage()).count(), 2);
+    /// // The same mesh as points: each vertex at the pixel that it is in.
+    /// for corner in scene.faces().flat_map(|face| face.corners) {
+    ///     let pixel = Point::new((corner.point.x_units() + 8) >> 4, (corner.point.y_units() + 8) >> 4);
+    ///     let Ok(()) = Pixel(pixel, Rgb565::YELLOW).draw(&mut band);
+    /// }
+    /// let points = band.words().iter().filter(|word| **word == Rgb565::YELLOW.into_storage());
+    /// assert_eq!(points.count(), 3);
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    ///
+    /// With a table of edges, which `cargo run --release -- mesh MODEL.obj --edges 30` writes, only boundaries, creases and
+    /// silhouettes of a model are drawn, and not the sides of the triangles that its faces were cut into:
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Line, Rectangle}};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     draw::{DrawOn, PrimitiveStyle},
+    ///     scene::{Camera, FaceSet, Memory, Model},
+    /// };
+    ///
+    /// const VERTICES: [[i16; 3]; 4] = [[-512, -512, 1024], [-512, 512, 1024], [512, 512, 1024], [512, -512, 1024]];
+    /// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+    /// /// Two vertices, and the faces on both sides; four boundaries, and the diagonal.
+    /// const EDGES: [[u16; 4]; 5] = [[0, 1, 0, 0], [1, 2, 0, 0], [2, 3, 1, 1], [3, 0, 1, 1], [2, 0, 0, 1]];
+    /// const SHARP_EDGES: usize = 4;
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let models = [Model::new(FaceSet::new(&VERTICES, &FACES)?, &[Rgb565::RED; 2])?];
+    /// let mut memory = Memory::<Rgb565, 4, 2, 64, 64>::new();
+    /// let scene = memory.prepare(&camera, &models)?;
+    /// // Where each vertex is, in pixels, and which faces are seen from the front.
+    /// let (mut points, mut fronts) = ([Point::zero(); 4], [false; 2]);
+    /// for face in scene.faces() {
+    ///     let [a, b, c] = face.corners.map(|corner| Point::new(corner.point.x_units() + 8, corner.point.y_units() + 8) / 16);
+    ///     fronts[face.order] = (b.x - a.x) * (c.y - a.y) > (c.x - a.x) * (b.y - a.y);
+    ///     for (vertex, point) in FACES[face.order].into_iter().zip([a, b, c]) {
+    ///         points[usize::from(vertex)] = point;
+    ///     }
+    /// }
+    /// let mut words = [0; 64 * 64];
+    /// let mut band = Band::<Rgb565>::new(area, &mut words)?;
+    /// for (index, edge) in EDGES.into_iter().enumerate() {
+    ///     let [start, end, one, other] = edge.map(usize::from);
+    ///     let is_drawn = if index < SHARP_EDGES { fronts[one] || fronts[other] } else { fronts[one] != fronts[other] };
+    ///     if is_drawn {
+    ///         let line = Line::new(points[start], points[end]).into_styled(PrimitiveStyle::with_stroke(Rgb565::WHITE, 1));
+    ///         let Ok(()) = line.draw_on(&mut band);
+    ///     }
+    /// }
+    /// let row = &band.words()[32 * 64..33 * 64];
+    /// // The sides left and right, and no diagonal.
+    /// assert_eq!(row.iter().filter(|word| **word != 0).count(), 2);
     /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {

@@ -40,7 +40,39 @@ const LEAST_FOCAL_LENGTH: I16F16 = I16F16::lit("1");
 const GREATEST_FOCAL_LENGTH: I16F16 = I16F16::lit("2047");
 
 impl Camera {
-    /// A camera at the origin. What is nearer than `near` units is cut away.
+    /// A camera at the origin, which draws into a part of the picture. What is nearer than `near` units is cut away.
+    ///
+    /// The viewport may be anywhere in the picture: what is drawn elsewhere stays as it is, so that several cameras draw into
+    /// one picture, one after the other, each in its viewport, and a mirror or a map lies over the view of another one. The
+    /// depths of a row are those of the scene that is being drawn.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     scene::{Camera, FaceSet, Memory, Model, Pose},
+    /// };
+    ///
+    /// let mesh = FaceSet::new(&[[-900, -900, 0], [-900, 900, 0], [900, 900, 0]], &[[0, 1, 2]])?;
+    /// let [road, mirror] = [Rgb565::RED, Rgb565::GREEN].map(|color| [color]);
+    /// let ahead = Pose { translation: [0, 0, 600].map(I16F16::from_num::<i32>), ..Pose::IDENTITY };
+    /// let (road, mirror) = ([Model::new(mesh, &road)?.with_pose(ahead)], [Model::new(mesh, &mirror)?.with_pose(ahead)]);
+    /// let picture = Rectangle::new(Point::zero(), Size::new(64, 48));
+    /// let corner = Rectangle::new(Point::new(4, 2), Size::new(16, 12));
+    /// let (mut memory, mut small) = (Memory::<Rgb565, 3, 1, 64, 48>::new(), Memory::<Rgb565, 3, 1, 16, 12>::new());
+    /// let mut scene = memory.prepare(&Camera::new(picture, I16F16::from_num(64))?, &road)?;
+    /// let mut in_mirror = small.prepare(&Camera::new(corner, I16F16::from_num(64))?, &mirror)?;
+    ///
+    /// let mut words = [0; 64 * 48];
+    /// let mut band = Band::<Rgb565>::new(picture, &mut words)?;
+    /// scene.draw(&mut band);
+    /// in_mirror.draw(&mut band);
+    /// let color_at = |x: usize, y: usize| band.words()[64 * y + x];
+    /// assert_eq!(color_at(8, 8), Rgb565::GREEN.into_storage());
+    /// assert_eq!(color_at(8, 20), Rgb565::RED.into_storage());
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
     ///
     /// # Errors
     /// [`InputError::NearTooClose`]; [`InputError::ViewportOutOfDomain`] where it has no pixels or is too large for any
@@ -128,8 +160,8 @@ impl Camera {
     /// ```
     ///
     /// # Errors
-    /// [`InputError::OutOfDomain`] for a point that is neither inside the viewport nor within -1024 to 1023 pixels of the display, so that
-    /// each precision has a place for it.
+    /// [`InputError::OutOfDomain`] for a point that is neither inside the viewport nor within -1024 to 1023 pixels of the
+    /// display, so that each precision has a place for it.
     pub fn with_centre(self, centre: [I16F16; 2]) -> Result<Self, InputError> {
         let Window {
             left,

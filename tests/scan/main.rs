@@ -13,6 +13,7 @@ mod circle_siblings;
 mod curves;
 mod every_fill;
 mod fill_siblings;
+mod interpolations;
 mod line_siblings;
 mod paths;
 mod polynomials;

@@ -4,6 +4,7 @@ use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use fixed::types::{I8F24, I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
+    band::Band,
     geometry::{InputError, SubPixel},
     scene::{Affine, Camera, Deep, FaceSet, Fine, Look, Memory, Model, Pose, Rotation, Whole},
     shade::Transformed,
@@ -54,6 +55,45 @@ fn parts_of_a_picture_are_those_of_the_whole() {
     }
     check::<Rgb888>();
     check::<Finest>();
+}
+
+/// A mirror over a picture: scenes in two viewports of it, drawn row by row one after the other, are both as they are alone.
+#[test]
+fn viewports_over_each_other_are_as_they_are_alone() {
+    let (whole, mirror) = (area(96, 64), Rectangle::new(Point::new(37, 9), Size::new(41, 23)));
+    let (world, behind) = (Scene::new(vec![meshes::torus()]), Scene::new(vec![meshes::cube(0.5)]));
+    let mut in_mirror = 0;
+    for frame in 0..8 {
+        let (world, behind) = (
+            world.models(standard_pose(frame * 11)),
+            behind.models(standard_pose(frame * 7 + 3)),
+        );
+        let mut memory = Box::new(Memory::<Rgb888, 3_000, 600, 96, 64, 128>::new());
+        let mut small = Box::new(Memory::<Rgb888, 100, 40, 41, 23>::new());
+        let mut world = memory.prepare(&camera(whole), &world).unwrap();
+        let mut behind = small.prepare(&camera(mirror), &behind).unwrap();
+        let (of_world, of_mirror) = (picture(&mut world, whole), picture(&mut behind, mirror));
+        let mut words = vec![0; 96 * 64];
+        for (y, row) in words.chunks_mut(96).enumerate() {
+            let place = Rectangle::new(Point::new(0, y as i32), Size::new(96, 1));
+            let mut band = Band::<Rgb888>::new(place, row).unwrap();
+            world.draw(&mut band);
+            behind.draw(&mut band);
+        }
+        for (point, word) in whole.points().zip(words) {
+            let from_corner = point - mirror.top_left;
+            let in_front = if mirror.contains(point) {
+                of_mirror[(from_corner.y * 41 + from_corner.x) as usize]
+            } else {
+                None
+            };
+            in_mirror += u32::from(in_front.is_some());
+            let face = in_front.or(of_world[(point.y * 96 + point.x) as usize]);
+            let expected = face.map_or(0, |face| color_of(face).into_storage());
+            assert_eq!(word, expected, "{frame} {point:?}");
+        }
+    }
+    assert!(in_mirror > 400, "{in_mirror}");
 }
 
 proptest! {

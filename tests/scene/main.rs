@@ -40,6 +40,7 @@ mod shading_lights;
 mod shading_looks;
 mod shading_perspective;
 mod shading_skins;
+mod sky;
 mod textures;
 mod translucent;
 mod unclipped_faces;

@@ -27,6 +27,18 @@
 /// | [`edge_function_triangle`](Self::edge_function_triangle) | pixels are asked for out of order |
 /// | [`barycentric_triangle`](Self::barycentric_triangle) | something else needs the coordinates of single pixels too |
 ///
+/// # Attributes of triangles
+///
+/// A function for each algorithm, all with the signature `fn(corners, window, emit)`: what the corners of a triangle or of a
+/// convex polygon have, such as colours or texture coordinates, interpolated for each pixel evenly on the screen. The pixels
+/// are those of the fills.
+///
+/// | algorithm | exact to | a polygon of more than three corners |
+/// |---|---|---|
+/// | [`plane_interpolation`](Self::plane_interpolation) | 3/4 of a unit | is divided into triangles |
+/// | [`barycentric_interpolation`](Self::barycentric_interpolation) | 1/2 of a unit | is divided into triangles |
+/// | [`edge_and_span_interpolation`](Self::edge_and_span_interpolation) | one unit, but for steep slivers | depends on how it is turned |
+///
 /// # Where a point lies
 ///
 /// A function for each algorithm, all with the signature `fn(contours, rule, point)`, which gives a

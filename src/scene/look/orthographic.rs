@@ -11,7 +11,9 @@ use crate::{
 
 /// The [`Look`] `L` with parallel rays instead of perspective: things are as large wherever they are, by the camera's
 /// [scale](Camera::with_scale), as in plans and in isometric views. A vertex takes no division, and what a shading divides by
-/// the depth varies evenly on the screen.
+/// the depth varies evenly on the screen. Preparing a frame of whole faces ([`Whole`](crate::scene::Whole)) links no division
+/// at all, which `cargo run --release -- panics` shows for chips without a divider; drawing links those that set the edges and
+/// the planes of faces up, and faces that may be cut those of the cuts.
 ///
 /// Depth falls evenly from the near to the far plane of the camera ([`Camera::with_far`]), which reaches 32,768 units until it
 /// is set. One unit of it is 1/65,536 of the way between them with `u16`, taken up to the next power of two, 256 times finer

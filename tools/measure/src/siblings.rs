@@ -141,6 +141,7 @@ const FAMILIES: &[Family] = &[
     CURVES,
     POLYGON_FILLS,
     TRIANGLE_FILLS,
+    INTERPOLATIONS,
     STROKES,
     SEED_FILLS,
     PAINTS,
@@ -414,6 +415,17 @@ const TRIANGLE_FILLS: Family = Family {
         ("fill.triangle.sliver.sub8", "fill a sliver, random, 1/256 pixel"),
     ],
     registered: &[registry::POLYGON_FILLS.split_at(1).0, registry::TRIANGLES],
+    others: &[],
+};
+
+/// Three attributes of triangles at 1/16 pixel, as the channels of colours.
+const INTERPOLATIONS: Family = Family {
+    firmware: "fills",
+    counts: &[
+        ("interpolation.small", "three attributes of a triangle within 16 px"),
+        ("interpolation.large", "three attributes of a triangle, random"),
+    ],
+    registered: &[registry::INTERPOLATIONS],
     others: &[],
 };
 

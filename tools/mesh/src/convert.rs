@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use anyhow::{Context, ensure};
 
 use crate::{
-    coordinates, levels,
+    coordinates,
+    edges::edges,
+    levels,
     mesh::{Mesh, Options},
     model::{Corner, Face, Model},
     module_parts::rgb565,
@@ -54,6 +56,13 @@ pub fn convert(
     let mut mesh = converter.mesh;
     if options.levels > 0 {
         levels::add(&mut mesh, options.levels);
+    }
+    if let Some(crease) = options.edges {
+        mesh.edges = edges(&mesh.vertices, &mesh.faces, crease);
+        if mesh.edges.is_none() {
+            mesh.notes
+                .push("no edges are written: there are more than 65,535 faces".to_owned());
+        }
     }
     Ok(mesh)
 }

@@ -38,6 +38,9 @@ struct Arguments {
     #[arg(long, value_name = "COUNT", default_value_t = 0)]
     #[arg(value_parser = clap::value_parser!(u8).range(..=i64::from(MOST_LEVELS)))]
     levels: u8,
+    /// Writes a table of edges too, to draw the model as lines; at creases faces turn by more than so many degrees, such as 30
+    #[arg(long, value_name = "DEGREES", value_parser = clap::value_parser!(u8).range(..=180))]
+    edges: Option<u8>,
     /// The model's z is up, as in files of CAD programs, and not y
     #[arg(long)]
     z_up: bool,
@@ -73,6 +76,7 @@ fn run(arguments: &Arguments) -> anyhow::Result<()> {
         up: if arguments.z_up { Up::Z } else { Up::Y },
         flat: arguments.flat,
         levels: arguments.levels,
+        edges: arguments.edges,
     };
     let mesh = convert::convert(&model, options, &files)?;
     let origin = Origin {
@@ -145,6 +149,13 @@ fn report(mesh: &Mesh, module: &Module, options: Options) {
             level.greatest_error * percent,
             level.mean_error,
             level.mean_error * percent
+        );
+    }
+    if let Some(edges) = &mesh.edges {
+        eprintln!(
+            "{} edges, {} of them boundaries and creases",
+            grouped(edges.table.len()),
+            grouped(edges.sharp)
         );
     }
     eprintln!("{} bytes of flash", grouped(module.bytes));

@@ -1,6 +1,7 @@
 //! What a module holds, before it is written.
 
 use crate::{
+    edges::Edges,
     level::Level,
     octahedral,
     quantize::Up,
@@ -19,6 +20,8 @@ pub struct Options {
     pub flat: bool,
     /// How many coarser meshes there are, at most.
     pub levels: u8,
+    /// Whether there is a table of edges, and by how many degrees faces turn at a crease at least.
+    pub edges: Option<u8>,
 }
 
 /// A converted model.
@@ -38,6 +41,8 @@ pub struct Mesh {
     pub texture: Option<Texture>,
     /// Coarser meshes, each with about half of the faces of the one before.
     pub levels: Vec<Level>,
+    /// Edges of the finest mesh.
+    pub edges: Option<Edges>,
     /// Triangles without an area after rounding.
     pub dropped: usize,
     /// The greatest distance by which a vertex moved when it was rounded.

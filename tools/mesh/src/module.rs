@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::{
+    edges::Edges,
     level::{Level, pick_from},
     mesh::{Mesh, Options},
     module_parts::{grouped, plain, quoted, write_lines},
@@ -50,6 +51,9 @@ pub fn write(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>) -> M
     if let Some(texture) = &mesh.texture {
         let _ = write_texture(&mut source, texture, name);
     }
+    if let (Some(edges), Some(crease)) = (&mesh.edges, options.edges) {
+        let _ = write_edges(&mut source, edges, crease, name);
+    }
     for (number, level) in (1..).zip(&mesh.levels) {
         let _ = write_level(&mut source, mesh, level, &format!("{name}_LEVEL_{number}"));
     }
@@ -84,6 +88,7 @@ fn bytes(mesh: &Mesh) -> usize {
         + 4 * mesh.coordinates.len()
         + texture
         + levels
+        + mesh.edges.as_ref().map_or(0, |edges| 8 * edges.table.len())
 }
 
 fn head(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>, bytes: usize) -> String {
@@ -95,6 +100,9 @@ fn head(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>, bytes: us
     }
     if options.levels > 0 {
         let _ = write!(arguments, " --levels {}", options.levels);
+    }
+    if let Some(crease) = options.edges {
+        let _ = write!(arguments, " --edges {crease}");
     }
     if let Some(name) = origin.name {
         let _ = write!(arguments, " --name {name}");
@@ -264,6 +272,32 @@ fn write_coordinates(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Resu
     let coordinates = mesh.coordinates.iter().map(|[u, v]| format!("[{u}, {v}],"));
     let begin = format!("pub static {name}_COORDINATES: [[i16; 2]; ");
     write_table(to, &begin, mesh.coordinates.len(), coordinates)
+}
+
+fn write_edges(to: &mut String, edges: &Edges, crease: u8, name: &str) -> std::fmt::Result {
+    writeln!(
+        to,
+        "\n/// How many of the edges, the first ones, are boundaries, or creases at which faces turn by more than\n\
+         /// {crease} degrees: they are drawn where one of their faces is seen. The others are drawn where one is seen\n\
+         /// and one is not: silhouettes.\n\
+         #[rustfmt::skip]\n\
+         pub const {name}_SHARP_EDGES: usize = {};",
+        edges.sharp
+    )?;
+    write!(
+        to,
+        "\n/// Edges: two vertices each, then the faces on both sides, the same one twice at a boundary."
+    )?;
+    let lines = edges
+        .table
+        .iter()
+        .map(|[a, b, one, other]| format!("[{a}, {b}, {one}, {other}],"));
+    write_table(
+        to,
+        &format!("pub static {name}_EDGES: [[u16; 4]; "),
+        edges.table.len(),
+        lines,
+    )
 }
 
 fn write_texture(to: &mut String, texture: &Texture, name: &str) -> std::fmt::Result {

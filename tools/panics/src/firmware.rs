@@ -10,6 +10,9 @@ use anyhow::{Context, ensure};
 /// The targets without and with a divider, which take different ways through divisions.
 pub const TARGETS: [&str; 2] = ["thumbv7em-none-eabi", "thumbv6m-none-eabi"];
 
+/// The target on which every division is a call.
+pub const WITHOUT_DIVIDER: &str = "thumbv6m-none-eabi";
+
 /// The optimization level of a build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Level {

@@ -1,4 +1,5 @@
-//! `panics`: links firmware that calls the whole public API with values unknown to the compiler, and names every panic in it.
+//! `panics`: links firmware that calls the whole public API with values unknown to the compiler, and names every panic in it;
+//! and shows that preparing a scene with parallel rays links no division.
 
 mod firmware;
 mod names;
@@ -66,8 +67,32 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
         print!("{}", report::report(&findings, &root));
         // A panic that only data refers to has no caller.
         calls += findings.len().max(panics.len());
+        if target == firmware::WITHOUT_DIVIDER {
+            check_divisions(&programs)?;
+        }
     }
     ensure!(calls == 0, "panics are linked, calls of them: {calls}");
+    Ok(())
+}
+
+/// Prints where divisions come from in a scene with parallel rays.
+///
+/// # Errors
+///
+/// One is reached from preparing such a scene; or none is found where a scene in perspective is prepared, or where either is
+/// drawn, which sets the edges and planes of faces up.
+fn check_divisions(programs: &Path) -> anyhow::Result<()> {
+    for name in ["orthographic", "perspective"] {
+        let bytes = read(&programs.join(name))?;
+        let program = Program::parse(&bytes)?;
+        for exercise in program.exercises() {
+            let way = program.way_from(exercise, names::is_division)?;
+            let shown = way.as_ref().map_or("none".to_owned(), |way| way.join(" -> "));
+            println!("  divisions of {exercise}: {}", names::shortened(&shown));
+            let has_none = name == "orthographic" && !exercise.ends_with("::draw");
+            ensure!(way.is_none() == has_none, "divisions of {exercise}: {shown}");
+        }
+    }
     Ok(())
 }
 

@@ -1,7 +1,7 @@
-//! Demangles the names of linked functions, and tells by a name whether the function panics, and whose it is.
+//! Demangles the names of linked functions, and tells by a name whether the function panics or divides, and whose it is.
 
 /// The crates of the firmware, as they are written in names.
-const FIRMWARE: [&str; 2] = ["exercises::", "planted::"];
+const FIRMWARE: [&str; 4] = ["exercises::", "planted::", "orthographic::", "perspective::"];
 
 /// A symbol as Rust writes it, without hashes.
 pub fn demangled(symbol: &str) -> String {
@@ -11,6 +11,24 @@ pub fn demangled(symbol: &str) -> String {
 /// Whether a function of the core library does nothing but panic, or is the handler that every panic ends in.
 pub fn is_panic(name: &str) -> bool {
     name.starts_with("core::panicking::") || name.ends_with("rust_begin_unwind")
+}
+
+/// Whether a function divides: a routine of the compiler for chips without a divider, or one of zrow's own.
+pub fn is_division(name: &str) -> bool {
+    let is_of_zrow = name.strip_prefix("zrow::geometry::division::").is_some_and(|function| {
+        let parts = ["divide", "quotient", "reciprocal", "remainder"];
+        parts.iter().any(|part| function.starts_with(part))
+    });
+    let is_of_runtime = name.strip_prefix("__").is_some_and(|function| {
+        let runtime = function.strip_prefix("aeabi_").unwrap_or(function);
+        let signs = ["i", "l", "u", "ui", "ul"];
+        signs.iter().any(|sign| {
+            let rest = runtime.strip_prefix(sign);
+            rest.is_some_and(|rest| rest.starts_with("div") || rest.starts_with("mod"))
+        }) || runtime.starts_with("div")
+            || runtime.starts_with("mod")
+    });
+    is_of_zrow || is_of_runtime || (name.starts_with("compiler_builtins::") && name.contains("div_rem"))
 }
 
 /// Whether the source of a function is zrow's or the firmware's.
@@ -73,6 +91,33 @@ mod tests {
         assert!(!is_exercise("<exercises::band::AnyDisplay as zrow::band::Sink>::send"));
         assert!(!is_ours("<core::iter::Map<zrow::band::Band, u8>>::next"));
         assert!(!is_panic("core::slice::index::slice_index_fail"));
+    }
+
+    #[test]
+    fn divisions_are_known_by_their_names() {
+        for name in [
+            "__aeabi_uidiv",
+            "__aeabi_idivmod",
+            "__aeabi_ldivmod",
+            "__aeabi_uldivmod",
+            "__udivsi3",
+            "__divdi3",
+            "__umodsi3",
+            "__udivmoddi4",
+            "compiler_builtins::int::specialized_div_rem::u64_div_rem",
+            "zrow::geometry::division::reciprocal_16_by_newton",
+            "zrow::geometry::division::divide_long",
+        ] {
+            assert!(is_division(name), "{name}");
+        }
+        for name in [
+            "__aeabi_lmul",
+            "__aeabi_memcpy",
+            "zrow::geometry::division::multiply_shift_by_halves",
+            "zrow::scene::prepare::transform_model",
+        ] {
+            assert!(!is_division(name), "{name}");
+        }
     }
 
     #[test]

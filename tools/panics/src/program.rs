@@ -129,6 +129,46 @@ impl<'b> Program<'b> {
         findings
     }
 
+    /// The shortest way from an exercise to a function with such a name, by calls and pointers, from the outside in; none where
+    /// the exercise reaches no such function.
+    ///
+    /// # Errors
+    ///
+    /// There is no such exercise.
+    pub fn way_from(&self, exercise: &str, is_wanted: impl Fn(&str) -> bool) -> anyhow::Result<Option<Vec<String>>> {
+        let is_there = |(_, item): &(&u64, &Item)| item.names.iter().any(|name| name == exercise);
+        let (&start, _) = self
+            .items
+            .iter()
+            .find(is_there)
+            .with_context(|| format!("no {exercise}"))?;
+        let mut reached = BTreeMap::<u64, Vec<u64>>::new();
+        for (&to, references) in &self.references {
+            for reference in references {
+                reached.entry(reference.from).or_default().push(to);
+            }
+        }
+        let mut ways = HashMap::from([(start, vec![start])]);
+        let mut queue = VecDeque::from([start]);
+        while let Some(item) = queue.pop_front() {
+            let way = ways[&item].clone();
+            if self
+                .items
+                .get(&item)
+                .is_some_and(|item| item.names.iter().any(|name| is_wanted(name)))
+            {
+                return Ok(Some(way.into_iter().map(|item| self.name(item)).collect()));
+            }
+            for &next in reached.get(&item).into_iter().flatten() {
+                ways.entry(next).or_insert_with(|| {
+                    queue.push_back(next);
+                    [&way[..], &[next]].concat()
+                });
+            }
+        }
+        Ok(None)
+    }
+
     /// From the panic to the item that leads to it.
     fn chain(&self, item: u64, towards: &HashMap<u64, u64>) -> Vec<String> {
         let steps = std::iter::successors(Some(item), |item| towards.get(item).copied());

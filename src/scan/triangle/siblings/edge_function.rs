@@ -81,9 +81,11 @@ impl EdgeFunctions {
     }
 }
 
-type Units = (i32, i32);
+/// Column and row in units of a precision.
+pub(super) type Units = (i32, i32);
 
-fn in_domain<S: SubPixel>(vertex: &SubPoint<S>) -> Option<Units> {
+/// The units of a vertex; `None` for one beyond the domain, which no constructor makes.
+pub(super) fn in_domain<S: SubPixel>(vertex: &SubPoint<S>) -> Option<Units> {
     let (x, y) = (vertex.x_units(), vertex.y_units());
     SubPoint::<S>::from_units(x, y).is_ok().then_some((x, y))
 }

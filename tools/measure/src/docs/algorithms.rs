@@ -55,6 +55,15 @@ const TABLES: &[Table] = &[
         ],
     },
     Table {
+        name: "interpolations",
+        families: &[registry::INTERPOLATIONS],
+        figures: &[
+            ("small", "interpolation.small"),
+            ("large", "interpolation.large"),
+            FLASH,
+        ],
+    },
+    Table {
         name: "homogeneous_triangles",
         families: &[registry::HOMOGENEOUS_TRIANGLES],
         figures: &[("a triangle that is cut", "space.triangle"), FLASH],

@@ -15,6 +15,7 @@ pub const OPTIONS: Options = Options {
     up: Up::Y,
     flat: false,
     levels: 0,
+    edges: None,
 };
 
 /// A cube from -1 to 1 of four-cornered faces, counter-clockwise from outside.

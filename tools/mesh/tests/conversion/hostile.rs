@@ -17,7 +17,16 @@ const PICTURE: &[u8] = include_bytes!("models/letter.png");
 /// Converts a file and writes its module, which has to end in seconds, and says whether there is one.
 fn gives_a_module(bytes: &[u8], name: &str, beside: Files<'_>, what: impl Fn() -> String) -> bool {
     let start = Instant::now();
-    let mesh = convert(bytes, name, beside, Options { levels: 2, ..OPTIONS });
+    let mesh = convert(
+        bytes,
+        name,
+        beside,
+        Options {
+            levels: 2,
+            edges: Some(30),
+            ..OPTIONS
+        },
+    );
     let is_model = match mesh {
         Ok(mesh) => {
             assert!(FaceSet::new(&mesh.vertices, &mesh.faces).is_ok(), "{}", what());

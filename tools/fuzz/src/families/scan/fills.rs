@@ -329,6 +329,29 @@ impl SubTriangleCase {
             };
         }
         zrow_methods::triangles!(fill_by_each);
+        let [a, b, c] = corners;
+        // One attribute is the same everywhere.
+        let with_attributes = [
+            (a, [i16::MIN, 7]),
+            (b, [i16::MAX, 7]),
+            (c, [self.corners.len() as i16, 7]),
+        ];
+        macro_rules! interpolate_by_each {
+            ($([$name:ident] [$($interpolate:tt)+])+) => {
+                $(
+                    let mut filled = Filled::new(*window);
+                    let mut is_even = true;
+                    let result = $($interpolate)+(&with_attributes, window, |pixel, [_, even]| {
+                        is_even &= even == 7;
+                        filled.take(Span::new(pixel.y, pixel.x, pixel.x + 1))
+                    });
+                    ensure!(result == Ok(()), "an error that nobody told");
+                    ensure!(is_even, "an attribute that all corners have is another one inside");
+                    is_same(stringify!($name), window, &expected, &filled)?;
+                )+
+            };
+        }
+        zrow_methods::interpolations!(interpolate_by_each);
         Ok(())
     }
 }

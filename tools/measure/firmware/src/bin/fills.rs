@@ -1,4 +1,4 @@
-//! Counts the ways to fill a polygon, and those to fill a triangle, on a full-frame `Band` of 240 x 320 RGB565.
+//! Counts the ways to fill a polygon, those to fill a triangle, and those to interpolate over one, on a full-frame `Band` of 240 x 320 RGB565.
 //!
 //! Each way hands its spans to the band: the pixels are part of the count, and equal checksums are equal pictures.
 #![no_std]
@@ -75,6 +75,17 @@ impl Frame<'_> {
         let raw = self.0.raw(color);
         move |span| self.0.fill_span(span, raw)
     }
+
+    /// Draws pixels in colours whose channels are three attributes of 8 bits.
+    fn shader(&mut self) -> impl FnMut(Point, [i16; 3]) -> Result<(), Infallible> {
+        let words = self.0.words_mut();
+        move |pixel, [red, green, blue]| {
+            if let Some(word) = words.get_mut((pixel.y * WINDOW.right + pixel.x) as usize) {
+                *word = (red as u16 & 0xF8) << 8 | (green as u16 & 0xFC) << 3 | (blue as u16 & 0xF8) >> 3;
+            }
+            Ok(())
+        }
+    }
 }
 
 #[entry]
@@ -99,6 +110,8 @@ fn main() -> ! {
     triangles::<Sub8>(&mut runner, &mut frame, "fill.triangle.small.sub8", small);
     triangles::<Sub8>(&mut runner, &mut frame, "fill.triangle.large.sub8", large);
     triangles::<Sub8>(&mut runner, &mut frame, "fill.triangle.sliver.sub8", sliver);
+    interpolations(&mut runner, &mut frame, "interpolation.small", small);
+    interpolations(&mut runner, &mut frame, "interpolation.large", large);
     report::exit(true)
 }
 
@@ -178,6 +191,27 @@ fn triangles<S: SubPixel>(
         )+};
     }
     zrow_methods::triangles!(count);
+}
+
+/// Counts every way to interpolate three attributes over a triangle at 1/16 pixel.
+fn interpolations(runner: &mut Runner, frame: &mut Frame<'_>, name: &str, corners: impl Fn(&mut Uniform) -> Corners) {
+    if !runner.wants(name) {
+        return;
+    }
+    let inputs: [Colored<[(SubPoint<Sub4>, [i16; 3]); 3]>; 50] = colored(|uniform| {
+        corners(uniform).map(|corner| {
+            let attributes = [(); 3].map(|()| uniform.number(0, 256) as i16);
+            (sub_point(corner, uniform), attributes)
+        })
+    });
+    macro_rules! count {
+        ($([$name:ident] [$($interpolate:tt)+])+) => {$(
+            runner.count(name, stringify!($name), frame, &inputs, |frame, input| {
+                let Ok(()) = $($interpolate)+(&input.shape, &WINDOW, frame.shader());
+            });
+        )+};
+    }
+    zrow_methods::interpolations!(count);
 }
 
 /// Within 16 pixels.

@@ -148,7 +148,7 @@ fn polygons() {
     zrow_methods::point_tests!(fill_by_test);
 }
 
-/// Triangles at 1/16 pixel.
+/// Triangles at 1/16 pixel, and three attributes of them.
 fn triangles() {
     macro_rules! fill {
         ($([$name:ident] [$($fill:tt)+])+) => {$(
@@ -159,6 +159,18 @@ fn triangles() {
         )+};
     }
     zrow_methods::triangles!(fill);
+    macro_rules! interpolate {
+        ($([$name:ident] [$($interpolate:tt)+])+) => {$(
+            if const { content::is(stringify!($name)) } {
+                let (corners, window) = black_box(([(SubPoint::<Sub4>::default(), [0; 3]); 3], Window::EMPTY));
+                black_box($($interpolate)+(&corners, &window, |pixel, attributes| {
+                    black_box((pixel, attributes));
+                    Ok::<(), Infallible>(())
+                }).is_ok());
+            }
+        )+};
+    }
+    zrow_methods::interpolations!(interpolate);
 }
 
 /// Segment clippers, at 1/16 pixel.

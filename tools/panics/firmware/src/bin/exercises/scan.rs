@@ -4,7 +4,7 @@ use zrow::{
     geometry::{DrawError, Sub4, Sub8, SubPixel, SubPoint, Vertex},
     scan::{Bezier, FillRule, Lines, Location, Polygons, PolynomialForwardDifference},
 };
-use zrow_panics_firmware::{Failure, any, keep, keep_all, take};
+use zrow_panics_firmware::{Failure, any, keep, keep_all, take, take_both};
 
 use crate::foreign::{default, eq, error, hash};
 
@@ -28,6 +28,8 @@ pub const EXERCISES: &[fn()] = &[
     located::<SubPoint<Sub8>>,
     filled_triangle::<Sub4>,
     filled_triangle::<Sub8>,
+    interpolated_polygon::<Sub4>,
+    interpolated_polygon::<Sub8>,
     homogeneous_triangle,
     styles,
 ];
@@ -150,6 +152,16 @@ fn filled_triangle<S: SubPixel>() {
         };
     }
     zrow_methods::triangles!(fill_by_each);
+}
+
+#[inline(never)]
+fn interpolated_polygon<S: SubPixel>() {
+    macro_rules! interpolate_by_each {
+        ($([$name:ident] [$($item:tt)+])+) => {
+            $(keep($($item)+::<S, Failure, 3>(any(), any(), take_both));)+
+        };
+    }
+    zrow_methods::interpolations!(interpolate_by_each);
 }
 
 #[inline(never)]
