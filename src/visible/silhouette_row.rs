@@ -195,7 +195,7 @@ impl FaceEdges {
         self.0 as u16
     }
 
-    /// The same with another next face.
+    /// What is kept of the face, with another next face of its row.
     #[must_use]
     pub(crate) fn with_next(self, next: u16) -> Self {
         Self(self.0 & !0xffff | u32::from(next))
