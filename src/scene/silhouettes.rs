@@ -48,7 +48,7 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
             self.enter_silhouettes(faces, rows, row.y());
         }
         let columns = SilhouettesOf::<L>::columns(tables.columns);
-        let mut edges = EdgeRow::new(columns, row.start());
+        let mut edges = EdgeRow::new(columns, row.words().len(), row.start());
         let index = offset_from(self.viewport.top, row.y()) as usize;
         let mut node = rows.get(index).map_or(NONE, |row| row.next());
         while let Some(face) = faces.get(usize::from(node)).copied() {

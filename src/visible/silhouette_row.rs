@@ -246,8 +246,10 @@ struct Part {
 }
 
 impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
-    /// A row, into which no edge was added yet. The columns were left so by the row before it.
-    pub(crate) fn new(columns: &'c mut [EdgeColumn<W, D>], [left, y]: [i32; 2]) -> Self {
+    /// A row of so many columns, into which no edge was added yet. The columns were left so by the row before it; with fewer columns
+    /// than that, those on the right have no silhouettes.
+    pub(crate) fn new(columns: &'c mut [EdgeColumn<W, D>], width: usize, [left, y]: [i32; 2]) -> Self {
+        let (columns, _) = columns.split_at_mut(width.min(columns.len()));
         Self {
             columns,
             touched: [i32::MAX, i32::MIN],
@@ -279,7 +281,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
                 ends: self.ends::<S>([upper, lower], [start, end]),
                 height: if goes_up { height } else { -height },
             };
-            if let Some(columns) = self.add_part(&part, words.len()) {
+            if let Some(columns) = self.add_part(&part) {
                 if is_drawn {
                     let depth = self.depth::<S>([upper, lower], [start, end], columns);
                     self.mark(words, columns, face, depth);
@@ -316,10 +318,10 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     /// Adds a part of an edge. Returns the first and the last column that it passes through, `None` where it passes through no pixel
     /// of the row.
     #[inline]
-    fn add_part(&mut self, part: &Part, words: usize) -> Option<[i32; 2]> {
+    fn add_part(&mut self, part: &Part) -> Option<[i32; 2]> {
         let [left, right] = part.ends;
         let [first, last] = part.ends.map(|x| x >> X_BITS);
-        let width = words.min(self.columns.len()) as i32;
+        let width = self.columns.len() as i32;
         if first >= width {
             return None;
         }
@@ -398,10 +400,10 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         }
         let [left, right] = if width < 0 { [lower, upper] } else { [upper, lower] }.map(|end| end.z.units());
         let (change, width) = (right - left, width.abs());
-        let x_left = upper.x_units().min(lower.x_units());
-        let part = ((column + self.left) << S::FRACTION_BITS) - x_left;
+        let first = upper.x_units().min(lower.x_units()) >> S::FRACTION_BITS;
+        // From the end of the edge on, wherever the row begins.
         let step = scaled(change, 1 << S::FRACTION_BITS, width);
-        [left + scaled(change, part.max(0).min(width), width), step]
+        [left + step * (column + self.left - first), step]
     }
 }
 

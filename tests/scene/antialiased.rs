@@ -267,6 +267,16 @@ where
         let other = drawn(&mut prepared, height, downwards);
         assert!(other == picture, "in bands of {height} rows, downwards: {downwards}");
     }
+    // In windows of some columns, which are fewer than there is memory for.
+    for left in (0..WIDTH).step_by(13) {
+        let part = Rectangle::new(Point::new(left as i32, 0), Size::new(13.min(WIDTH - left), HEIGHT));
+        let mut words: Vec<u32> = part.points().map(|point| background(point).into_storage()).collect();
+        let mut band = Band::<Rgb888>::new(part, &mut words).unwrap();
+        prepared.draw(&mut band);
+        for (point, color) in part.points().zip(band.colors()) {
+            assert_eq!(color, at_point(&picture, point), "{point:?} in columns from {left} on");
+        }
+    }
     if L::DRAWS_IN_PASSES {
         let mut one = Box::new(One::<Antialiased<L>>::new());
         let mut prepared = one.prepare(camera, models).unwrap();

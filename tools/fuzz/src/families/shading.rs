@@ -11,7 +11,7 @@ use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, Order},
     geometry::{InputError, Window},
-    scene::{Camera, Deep, FaceSet, Fine, Look, Memory, Model, Pose, Prepared, Whole},
+    scene::{Antialiased, Camera, Deep, FaceSet, Fine, Look, Memory, Model, Pose, Prepared, Whole},
     shade::{
         Bilinear, Blinn, ChannelColor, Clamped, CutOut, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud,
         GouraudSkin, Indexed, IndexedImage, Lambert, LitTextured, LitTexturedSkin, PointLight, Shading, Texels,
@@ -345,6 +345,9 @@ enum Method {
     TranslucentFlat,
     TranslucentHoles,
     FoggyGlass,
+    AntialiasedFlat,
+    AntialiasedHoles,
+    AntialiasedGlass,
 }
 
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
@@ -446,7 +449,11 @@ impl ShadingCase {
         };
         let tables: Vec<Tables<L::Color>> = self.models.0.iter().map(AnyModel::tables).collect();
         let models = tables.iter().map(|tables| {
-            let mesh = FaceSet::new(&tables.vertices, &tables.faces).context("indices that are there")?;
+            let mut mesh = FaceSet::new(&tables.vertices, &tables.faces).context("indices that are there")?;
+            if self.background % 2 == 1 {
+                // A wrong table of neighbours: the picture is another one, but whole.
+                mesh = mesh.with_neighbours(&tables.faces);
+            }
             let model = Model::with_skin(mesh, L::Shading::skin(tables)).context("all that a shading takes")?;
             Ok(model.with_pose(tables.pose))
         });
@@ -585,6 +592,15 @@ impl Case for ShadingCase {
             (Method::TranslucentHoles, _) => {
                 self.check_kind::<Translucent<Textured<CutOut<Indexed<Rgb565, 2, 4, 4>>>>>()
             }
+            (Method::AntialiasedFlat, Kind::FineBinary) => self.check_kind::<Fine<Antialiased<FlatLit<BinaryColor>>>>(),
+            (Method::AntialiasedFlat, Kind::FineDeepRgb565) => {
+                self.check_kind::<Antialiased<Fine<Deep<FlatLit<Rgb565>>>>>()
+            }
+            (Method::AntialiasedFlat, _) => self.check_kind::<Antialiased<FlatLit<Rgb888>>>(),
+            (Method::AntialiasedHoles, _) => {
+                self.check_kind::<Antialiased<Textured<CutOut<Indexed<Rgb565, 2, 4, 4>>>>>()
+            }
+            (Method::AntialiasedGlass, _) => self.check_kind::<Antialiased<Deep<Translucent<Gouraud<Rgb565>>>>>(),
             (Method::FoggyGlass, _) => self.check_kind::<Fine<Deep<Foggy<Translucent<Gouraud<Rgb565>>>>>>(),
         }
     }
