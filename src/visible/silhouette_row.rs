@@ -339,20 +339,22 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         (0 <= last && first <= last).then_some([first.max(0), last.min(width - 1)])
     }
 
-    /// Adds the cells of a part of an edge.
+    /// Adds the cells of a part of an edge: those of one that goes down are those of one that goes up, the other way round, so that
+    /// both cancel out to the bit.
     #[inline]
     fn add_cells(&mut self, ends: [i32; 2], height: i32, width: i32) {
         let columns = &mut *self.columns;
+        let sign = Wrapping(height.signum());
         let mut add = |cell: Cell| {
             let mut change = |column: i32, by: Wrapping<i32>| {
                 if let Some(column) = columns.get_mut(column as usize) {
-                    column.change = (Wrapping(column.change) + by).0;
+                    column.change = (Wrapping(column.change) + sign * by).0;
                 }
             };
             change(cell.x, cell.cover - cell.area);
             change(cell.x + 1, cell.area);
         };
-        let [start, end] = ends;
+        let ([start, end], height) = (ends, height.abs());
         match (end >> X_BITS) - (start >> X_BITS) {
             0 if start >= 0 => add(Cell::within(ends, height)),
             1 if start >= 0 => Cell::in_two(ends, height).into_iter().for_each(add),
