@@ -17,7 +17,7 @@ use crate::{scene::Look, shade::ChannelColor, visible::ByArea};
 /// pass through the same pixel, they are taken for one.
 ///
 /// Memory beside that of `L`: 12 bytes a column, 4 a face and 4 a row. Cost: no row is drawn without depths; a look at each face a frame,
-/// some 150 instructions for each silhouette edge that a row touches, and a look at all faces of the row for each pixel of it.
+/// some 300 instructions for each silhouette edge that a row touches, and a look at all faces of the row where it is over other ones.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
