@@ -346,7 +346,6 @@ const LOOKS: &[(&str, &str)] = &[
     ("look.fine", "positions at 1/256 pixel"),
     ("look.fine_deep", "positions at 1/256 pixel and depths of 32 bits"),
     ("look.double_sided", "faces seen from both sides"),
-    ("look.antialiased", "antialiased silhouettes, no neighbours known"),
 ];
 
 /// Thirty spheres of which five are seen: what boxes around models save.

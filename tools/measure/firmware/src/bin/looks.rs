@@ -5,7 +5,7 @@
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::pixelcolor::Rgb565;
-use zrow::scene::{Antialiased, Deep, DoubleSided, Fine, OnePass, Whole};
+use zrow::scene::{Deep, DoubleSided, Fine, OnePass, Whole};
 use zrow_measure_firmware::{
     report,
     run::Runner,
@@ -41,8 +41,7 @@ fn main() -> ! {
         "look.deep": Deep<Rgb565>;
         "look.fine": Fine<Rgb565>;
         "look.fine_deep": Fine<Deep<Rgb565>>;
-        "look.double_sided": DoubleSided<Rgb565>, 120;
-        "look.antialiased": Antialiased<Rgb565>
+        "look.double_sided": DoubleSided<Rgb565>, 120
     );
     report::exit(true)
 }
