@@ -57,8 +57,8 @@ pub trait Subject: core::fmt::Debug {
     fn model() -> Model<'static, Self::Shading>;
 }
 
-/// A mesh of `V` vertices and `F` faces that turns on a panel of `COLUMNS` by `ROWS` pixels; up to `A` faces cross a row. Its look
-/// is the shading, where no other one is named.
+/// A mesh of `V` vertices and `F` faces that turns on a panel of `COLUMNS` by `ROWS` pixels; up to `A` faces cross a row. Its
+/// look is the shading, where no other one is named.
 #[derive(Debug)]
 pub struct Turning<
     S: Subject,

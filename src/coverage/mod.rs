@@ -1,8 +1,8 @@
 //! Antialiasing: how much of a pixel a shape covers.
 //!
-//! A coverage method is one file with the signature of [`CoverageMethod`]: the edges of one row of pixels in, spans with their coverage
-//! out, integers only, in memory for one row that the caller lends. In 1/255 of a pixel, over the pixels that an
-//! edge crosses:
+//! A coverage method is one file with the signature of [`CoverageMethod`]: the edges of one row of pixels in, spans with their
+//! coverage out, integers only, in memory for one row that the caller lends. In 1/255 of a pixel, over the pixels that an edge
+//! crosses:
 //!
 //! | method | how | row of 320 pixels | when |
 //! |---|---|---|---|
@@ -33,9 +33,9 @@
 //!
 //! Beside these methods, [`FilteredLine`](crate::draw::FilteredLine) (L, Gupta and Sproull) filters lines one pixel wide.
 
-// Why small functions are `inline(always)`, measured on a Cortex-M4 with `inline` alone: in `area`, signed areas take up to 27 %
-// more instructions (near-vertical triangles); in `sweep`, a panel of instruments without a picture 4.7 %; in `monotone_chains`, rings of
-// many edges 1.1 %; here and in `RowSegment::x_at`, four samples 3.1 % and sixteen rooks 1.4 %.
+// Why small functions are `inline(always)`, measured on a Cortex-M4 with `inline` alone: in `area`, signed areas take up to 27
+// % more instructions (near-vertical triangles); in `sweep`, a panel of instruments without a picture 4.7 %; in
+// `monotone_chains`, rings of many edges 1.1 %; here and in `RowSegment::x_at`, four samples 3.1 % and sixteen rooks 1.4 %.
 
 mod any_coverage;
 mod area;
@@ -67,8 +67,8 @@ pub(crate) type Coverage = u8;
 
 /// A coverage method: from the edges in a row of pixels to the coverage of each pixel.
 ///
-/// Shapes call a method row by row, in a form that may change: programs choose one, lend it the cells of a row, and hand it to what
-/// they draw, such as [`AntialiasedPolygon`](crate::draw::AntialiasedPolygon). No program implements one.
+/// Shapes call a method row by row, in a form that may change: programs choose one, lend it the cells of a row, and hand it to
+/// what they draw, such as [`AntialiasedPolygon`](crate::draw::AntialiasedPolygon). No program implements one.
 pub trait CoverageMethod {
     /// The type of an entry of the row memory.
     type Cell: Copy + Default + core::fmt::Debug;

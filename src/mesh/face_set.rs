@@ -58,8 +58,8 @@ impl<'a> FaceSet<'a> {
         })
     }
 
-    /// The face set with the neighbours of each face: the index of the face on the other side of the edge from its first to its second
-    /// vertex, of that from the second to the third, and of that from the third to the first;
+    /// The face set with the neighbours of each face: the index of the face on the other side of the edge from its first to its
+    /// second vertex, of that from the second to the third, and of that from the third to the first;
     /// [`NO_NEIGHBOUR`](Self::NO_NEIGHBOUR) where there is none. Faces for which there are no three of them have none.
     ///
     /// They tell which edges are silhouettes ([`Antialiased`](crate::scene::Antialiased)). The mesh converter writes them, and
@@ -72,11 +72,11 @@ impl<'a> FaceSet<'a> {
     /// In a table of neighbours: no face is on the other side of an edge.
     pub const NO_NEIGHBOUR: u16 = neighbours::NO_NEIGHBOUR;
 
-    /// The neighbours of `FACES` faces: those that have the same two vertices the other way round. Where more than two faces meet in an
-    /// edge, and on the other side of the edges of a hole, there is none.
+    /// The neighbours of `FACES` faces: those that have the same two vertices the other way round. Where more than two faces
+    /// meet in an edge, and on the other side of the edges of a hole, there is none.
     ///
-    /// In a `static` the compiler finds them; a mesh of a thousand faces takes it a second. Cost: a few steps for each edge, and 16 bytes
-    /// of stack a face.
+    /// In a `static` the compiler finds them; a mesh of a thousand faces takes it a second. Cost: a few steps for each edge,
+    /// and 16 bytes of stack a face.
     ///
     /// ```
     /// use zrow::scene::FaceSet;
@@ -150,8 +150,8 @@ impl<'a> FaceSet<'a> {
         })
     }
 
-    /// The sum of the numbers of vertices of several face sets: the capacity `VERTICES` of a [`Memory`](crate::scene::Memory) for
-    /// models of them, where no face is cut. A mesh that two models share counts twice.
+    /// The sum of the numbers of vertices of several face sets: the capacity `VERTICES` of a [`Memory`](crate::scene::Memory)
+    /// for models of them, where no face is cut. A mesh that two models share counts twice.
     pub const fn vertices_of(sets: &[FaceSet<'_>]) -> usize {
         let (mut sum, mut rest) = (0usize, sets);
         while let [set, others @ ..] = rest {
@@ -161,8 +161,8 @@ impl<'a> FaceSet<'a> {
         sum
     }
 
-    /// The sum of the numbers of faces of several face sets: the capacity `FACES` of a [`Memory`](crate::scene::Memory) for models of
-    /// them. A mesh that two models share counts twice.
+    /// The sum of the numbers of faces of several face sets: the capacity `FACES` of a [`Memory`](crate::scene::Memory) for
+    /// models of them. A mesh that two models share counts twice.
     pub const fn faces_of(sets: &[FaceSet<'_>]) -> usize {
         let (mut sum, mut rest) = (0usize, sets);
         while let [set, others @ ..] = rest {

@@ -1,7 +1,8 @@
 //! Which face is on the other side of each edge: edges in buckets by the sum of their vertices.
 //!
-//! Two faces are neighbours that have the same two vertices one after the other, each in its own direction: then they belong to one
-//! surface. An edge that only one face has bounds the surface, and in one that three or more have surfaces meet; both have no neighbour.
+//! Two faces are neighbours that have the same two vertices one after the other, each in its own direction: then they belong to
+//! one surface. An edge that only one face has bounds the surface, and in one that three or more have surfaces meet; both have
+//! no neighbour.
 
 /// In a table of neighbours: there is none.
 pub(super) const NO_NEIGHBOUR: u16 = u16::MAX;

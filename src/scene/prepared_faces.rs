@@ -33,7 +33,7 @@ type SkinOf<'m, L> = (<<L as Look>::Shading as Shading>::Skin<'m>, UniformsOf<L>
 /// What is the same for all vertices of a model in a frame.
 type UniformsOf<L> = <<L as Look>::Shading as Shading>::Uniforms;
 
-/// What drawing takes beside the tables of a frame: the active list, the depth row, and the silhouettes.
+/// What drawing a prepared frame changes: the active list, the depth row, and the silhouettes of the row.
 pub(super) struct RowMemory<'r, 'm, L: Look> {
     pub(super) active: &'r mut ActiveListOf<L>,
     pub(super) depths: &'r mut [L::Depth],

@@ -5,10 +5,12 @@ use crate::{scene::Look, visible::Silhouettes};
 /// How a look draws silhouettes.
 pub(super) type SilhouettesOf<L> = <L as Look>::Silhouettes;
 
-/// What a look keeps of a column.
+/// What a look keeps of a column of the row that is drawn: the silhouettes that pass through its pixel, nothing in looks
+/// without.
 pub(super) type ColumnOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::Column<<L as Look>::Depth>;
 
-/// What a look keeps of a face, or of the first one in a row.
+/// What a look keeps of a face: which of its edges are silhouettes, and the next face with some in the same row. Of a row the
+/// first such face. Nothing in looks without.
 pub(super) type FaceEdgesOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::FaceEdges;
 
 /// The memory that silhouettes take: none in looks without.
@@ -22,7 +24,7 @@ pub(super) struct SilhouetteTables<'m, L: Look> {
 }
 
 impl<L: Look> SilhouetteTables<'_, L> {
-    /// The same tables for a shorter time.
+    /// The tables of silhouettes, borrowed once more for a shorter time.
     pub(super) const fn reborrow(&mut self) -> SilhouetteTables<'_, L> {
         SilhouetteTables {
             columns: self.columns,

@@ -1,14 +1,14 @@
 //! Which edges of a frame's faces are silhouettes, and in which row they begin.
 //!
-//! An edge between two faces that are seen is inside a surface; one that has a face that is seen on one side only is a silhouette.
-//! Faces with silhouettes lie in buckets by the first row that those touch, and move to the bucket of the next row with each row that
-//! is drawn.
+//! An edge between two faces that are seen is inside a surface; one that has a face that is seen on one side only is a
+//! silhouette. Faces with silhouettes lie in buckets by the first row that those touch, and move to the bucket of the next row
+//! with each row that is drawn.
 //!
-//! Guarantees: the silhouettes of the faces that are seen are closed, so that a sum over their edges is a whole number wherever none of
-//! them passes. That needs all faces that are seen, also those between the centres of pixels.
+//! Guarantees: the silhouettes of the faces that are seen are closed, so that a sum over their edges is a whole number wherever
+//! none of them passes. That needs all faces that are seen, also those between the centres of pixels.
 //!
-//! Cost: a look at each face, and at its neighbours if it is seen, where drawing begins; then two links a row for each face with
-//! silhouettes.
+//! Cost: a look at each face, and at its neighbours if it is seen, where drawing begins; then two links a row for each face
+//! with silhouettes.
 
 use crate::{
     geometry::offset_from,
@@ -33,8 +33,8 @@ use crate::{
 type EdgeRowOf<'c, L> = EdgeRow<'c, <<L as Look>::Color as BandColor>::Word, <L as Look>::Depth>;
 
 impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
-    /// Finds the silhouettes of a row that nothing was drawn to yet. `follows` where the last row that this was called for is the one
-    /// above it.
+    /// Finds the silhouettes of a row that nothing was drawn to yet. `follows` where the last row that this was called for is
+    /// the one above it.
     pub(super) fn begin_silhouettes<'c, O: Order>(
         &self,
         tables: &'c mut SilhouetteTables<'_, L>,

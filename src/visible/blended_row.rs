@@ -11,8 +11,8 @@
 //! translucent fragments are equally near, the one that comes first in the order of the models is drawn over the other; one
 //! that is as near as an opaque face is behind it.
 //!
-//! Guarantees: exact, each fragment is mixed once. Memory: 384 bytes of stack for depths of 16 bits, 512 for 32. Cost: two walks
-//! over the fragments of translucent faces for each layer of some 64 columns.
+//! Guarantees: exact, each fragment is mixed once. Memory: 384 bytes of stack for depths of 16 bits, 512 for 32. Cost: two
+//! walks over the fragments of translucent faces for each layer of some 64 columns.
 //!
 //! Source: depth peeling (Mammen 1989; Everitt 2001), from the back, one row at a time; `over` of Porter and Duff 1984.
 
@@ -34,8 +34,8 @@ const COLUMNS: usize = 64;
 /// A pixel's layers: which fragment is the next one, and which was the last.
 #[derive(Debug, Copy, Clone)]
 struct Layer<D> {
-    /// The face that was mixed with the pixel last, whose depth is stored. Of others at the same depth only those before it in the
-    /// order of the models are still to come: before the first face none.
+    /// The face that was mixed with the pixel last, whose depth is stored. Of others at the same depth only those before it in
+    /// the order of the models are still to come: before the first face none.
     last: u16,
     /// The face of the next layer and its depth, [`FARTHEST`](DepthWidth::FARTHEST) where none is in front of the last.
     next: u16,

@@ -92,8 +92,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.next_pass(faces, row)
     }
 
-    /// Enters as many of the faces that cross a row and have not been drawn as there are slots. Where none is left the list stays as
-    /// it is, and the result is `false`.
+    /// Enters as many of the faces that cross a row and have not been drawn as there are slots. Where none is left the list
+    /// stays as it is, and the result is `false`.
     #[cold]
     #[inline(never)]
     pub(super) fn next_pass<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, row: i32) -> bool {

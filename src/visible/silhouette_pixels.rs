@@ -1,13 +1,13 @@
-//! The pixels of a row through which silhouettes pass, mixed when the row is drawn: the surface that ends there by its coverage over
-//! the one behind it.
+//! The pixels of a row through which silhouettes pass, mixed when the row is drawn: the surface that ends there by its coverage
+//! over the one behind it.
 //!
 //! ```text
-//!      surfaces at the centre of the pixel       number of surfaces by area     the surface that ends there
-//!      one                                        3/4                           is at the centre: 3/4 of it over what was there
-//!      none                                       1/4                           is beside it:     1/4 of it over what was there
-//!      two, of which the edge is the nearer       1 1/2                         is at the centre: 1/2 of the nearest over the second
-//!      one, behind the edge                       1 1/2                         is beside it:     1/2 of the edge's face over that one
-//!      two, of which the edge is the farther      1 1/2                         is hidden
+//!     surfaces at the centre of the pixel      surfaces by area    the surface that ends there
+//!     one                                      3/4                 is at the centre: 3/4 of it over what was there
+//!     none                                     1/4                 is beside it: 1/4 of it over what was there
+//!     two, the edge is that of the nearer      1 1/2               is at the centre: 1/2 of it over the second
+//!     one, behind the edge                     1 1/2               is beside it: 1/2 of the edge's face over that one
+//!     two, the edge is that of the farther     1 1/2               is hidden
 //! ```
 //!
 //! Cost: a look at each face that crosses the row for each such pixel, and mixing.
@@ -91,7 +91,7 @@ struct Crowded<W, D> {
     /// Surfaces in the pixel by area: whole ones, and the part of the one that ends here.
     whole: i32,
     coverage: Coverage,
-    /// What was in the pixel before.
+    /// The word that the pixel of the band had before the row was drawn.
     before: W,
     /// Surfaces at the centre of the pixel, and the nearest two of them.
     surfaces: i32,
@@ -262,8 +262,8 @@ where
     }
 }
 
-/// What is mixed in a pixel with several surfaces: the word of the one that ends there and that behind it; `None` where the edge is
-/// hidden.
+/// Returns the two words that are mixed in a pixel with several surfaces: that of the surface whose silhouette passes through
+/// the pixel, and that of the surface behind it; `None` where the silhouette is hidden.
 #[inline]
 fn mixed<S, D, H, F>(
     faces: &F,
@@ -294,9 +294,9 @@ where
     Some((word, nearest.word.unwrap_or(pixel.before)))
 }
 
-/// Whether it is the nearest of two surfaces that ends at an edge, of which the face and the depth are known: that which has the
-/// face of the edge or one with a common corner; of two such, or none, that which is nearer to the edge. An edge in front of both, or
-/// behind both, needs no look.
+/// Whether it is the nearest of two surfaces that ends at an edge, of which the face and the depth are known: that which has
+/// the face of the edge or one with a common corner; of two such, or none, that which is nearer to the edge. An edge in front
+/// of both, or behind both, needs no look.
 fn ends<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     faces: &impl FaceTable<S, D, H>,
     (face, depth): (u16, D),

@@ -1,21 +1,20 @@
 //! The silhouettes in a row: what of each pixel lies inside them, by area.
 //!
 //! ```text
-//!      edge of a silhouette               Each edge that goes up covers all to its right, one that goes down takes that away again:
-//!   +------+--/---+------+------+         cells with cover and area, as for outlines. So the sum in a pixel is the number of surfaces
-//!   |      | /####|######|######|         that face the viewer there, one behind the other: 1, 2, and with a fraction where a
-//!   +------+/-----+------+------+         silhouette passes through the pixel.
-//!     0      3/4     1      1
-//!                                         The fraction is the coverage of that surface. Edges between two faces of a surface cancel
-//!                                         out, to the bit: a mesh has no seams.
+//!      edge of a silhouette             Each edge that goes up covers all to its right, one that goes down takes
+//!   +------+--/---+------+------+       that away again: cells with cover and area, as for outlines. So the sum in
+//!   |      | /####|######|######|       a pixel is the number of surfaces that face the viewer there, one behind
+//!   +------+/-----+------+------+       the other: 1, 2, and with a fraction where a silhouette passes through the
+//!     0      3/4     1      1           pixel. The fraction is the coverage of that surface. Edges between two
+//!                                       faces of a surface cancel out, to the bit: a mesh has no seams.
 //! ```
 //!
-//! Guarantees: coverage is the exact area within 1/128 of a pixel, rounded to 1/255, where the silhouettes of one surface pass through
-//! a pixel, also where corners or several edges lie in it. Two silhouettes that pass through one pixel at different depths are taken
-//! for one.
+//! Guarantees: coverage is the exact area within 1/128 of a pixel, rounded to 1/255, where the silhouettes of one surface pass
+//! through a pixel, also where corners or several edges lie in it. Two silhouettes that pass through one pixel at different
+//! depths are taken for one.
 //!
-//! Source: cells with cover and area (FreeType's smooth rasterizer, Turner 2000) of silhouette edges alone (Sander, Hoppe, Snyder and
-//! Gortler 2001, "Discontinuity edge overdraw").
+//! Source: cells with cover and area (FreeType's smooth rasterizer, Turner 2000) of silhouette edges alone (Sander, Hoppe,
+//! Snyder and Gortler 2001, "Discontinuity edge overdraw").
 
 use core::{fmt::Debug, num::Wrapping};
 
@@ -113,9 +112,9 @@ pub struct EdgeColumn<W, D> {
     pub(super) change: i32,
     /// The face of the nearest edge that passes through the pixel, plus one; 0 where there is none.
     pub(super) face: u16,
-    /// The depth of that edge there.
+    /// The depth of the nearest edge, at the pixel.
     pub(super) depth: D,
-    /// What was in the pixel before the row was drawn.
+    /// The word that the pixel of the band had before the row was drawn.
     pub(super) behind: W,
 }
 
@@ -164,8 +163,8 @@ impl FaceEdges {
         self.0 & Self::REVERSED != 0
     }
 
-    /// The face with what its edge of that number is, where another face is on its other side: in the same surface, no silhouette;
-    /// where that one is cut, it counts in the number of surfaces alone; else a silhouette.
+    /// The face with what its edge of that number is, where another face is on its other side: in the same surface, no
+    /// silhouette; where that one is cut, it counts in the number of surfaces alone; else a silhouette.
     pub(crate) fn with_neighbour(self, edge: u32, neighbour: Self) -> Self {
         const SIDES: u32 = FaceEdges::FRONT | FaceEdges::REVERSED;
         if neighbour.0 & Self::IS_CUT != 0 {
@@ -241,13 +240,13 @@ impl<W, D> RowEdges<W, D> for EdgeRow<'_, W, D> {
 struct Part {
     /// Left and right end in 1/8192 pixel, from the left side of the row.
     ends: [i32; 2],
-    /// In 1/16384 pixel, negative where the edge goes down.
+    /// Height of the part in 1/16384 pixel, negative where the edge goes down.
     height: i32,
 }
 
 impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
-    /// A row of so many columns, into which no edge was added yet. The columns were left so by the row before it; with fewer columns
-    /// than that, those on the right have no silhouettes.
+    /// A row of so many columns, into which no edge was added yet. The columns were left so by the row before it; with fewer
+    /// columns than that, those on the right have no silhouettes.
     pub(crate) fn new(columns: &'c mut [EdgeColumn<W, D>], width: usize, [left, y]: [i32; 2]) -> Self {
         let (columns, _) = columns.split_at_mut(width.min(columns.len()));
         Self {
@@ -258,8 +257,8 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         }
     }
 
-    /// Adds an edge of a face, clockwise; `words` are the pixels of the row, which nothing of the scene was drawn to yet. An edge
-    /// that is not drawn counts in the number of surfaces alone. Returns whether the edge goes on below the row.
+    /// Adds an edge of a face, clockwise; `words` are the pixels of the row, which nothing of the scene was drawn to yet. An
+    /// edge that is not drawn counts in the number of surfaces alone. Returns whether the edge goes on below the row.
     pub(crate) fn add<S: ScreenPrecision>(
         &mut self,
         words: &[W],
@@ -315,8 +314,8 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         [x_start.min(x_end), x_start.max(x_end)]
     }
 
-    /// Adds a part of an edge. Returns the first and the last column that it passes through, `None` where it passes through no pixel
-    /// of the row.
+    /// Adds a part of an edge. Returns the first and the last column that it passes through, `None` where it passes through no
+    /// pixel of the row.
     #[inline]
     fn add_part(&mut self, part: &Part) -> Option<[i32; 2]> {
         let [left, right] = part.ends;
@@ -339,8 +338,8 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         (0 <= last && first <= last).then_some([first.max(0), last.min(width - 1)])
     }
 
-    /// Adds the cells of a part of an edge: those of one that goes down are those of one that goes up, the other way round, so that
-    /// both cancel out to the bit.
+    /// Adds the cells of a part of an edge: those of one that goes down are those of one that goes up, the other way round, so
+    /// that both cancel out to the bit.
     #[inline]
     fn add_cells(&mut self, ends: [i32; 2], height: i32, width: i32) {
         let columns = &mut *self.columns;
@@ -382,8 +381,8 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         }
     }
 
-    /// The depth of an edge in the first of the columns that it passes through between two y, in units, and what it gains from column
-    /// to column: that of its middle, where it is short.
+    /// The depth of an edge in the first of the columns that it passes through between two y, in units, and what it gains from
+    /// column to column: that of its middle, where it is short.
     #[inline]
     fn depth<S: ScreenPrecision>(
         &self,

@@ -162,8 +162,8 @@ fn difference(found: Rgb888, expected: [f64; 3]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Levels by which a pixel of a silhouette may be off: 1/255 by rounding the coverage, half a level by mixing, and what edges that
-/// are rounded to 1/8192 pixel miss.
+/// Levels by which a pixel of a silhouette may be off: 1/255 by rounding the coverage, half a level by mixing, and what edges
+/// that are rounded to 1/8192 pixel miss.
 const OFF: f64 = 1.6;
 
 const COLORS: [Rgb888; 3] = [Rgb888::WHITE, Rgb888::new(255, 60, 0), Rgb888::new(0, 90, 255)];
@@ -253,8 +253,8 @@ proptest! {
     }
 }
 
-/// Draws models in a look without and with antialiased silhouettes; each picture in several ways that must not change it. Returns
-/// both.
+/// Draws models in a look without and with antialiased silhouettes; each picture in several ways that must not change it.
+/// Returns both.
 fn both_pictures<L: Look<Color = Rgb888>>(camera: &Camera, models: &[Model<'_, L::Shading>]) -> [Vec<Rgb888>; 2]
 where
     Antialiased<L>: Look<Color = Rgb888, Shading = L::Shading>,

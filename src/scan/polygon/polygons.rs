@@ -1,4 +1,5 @@
-//! The families of polygon fills, of triangle fills and of tests for single points, which each algorithm's file adds a function to.
+//! The families of polygon fills, of triangle fills and of tests for single points, which each algorithm's file adds a function
+//! to.
 
 /// Polygons of any contours: fills, and tests of single points; and fills of triangles.
 ///

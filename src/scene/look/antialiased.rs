@@ -4,20 +4,21 @@ use core::marker::PhantomData;
 
 use crate::{scene::Look, shade::ChannelColor, visible::ByArea};
 
-/// The [`Look`] `L` with antialiased silhouettes: where a surface ends before another one or before what the band had, pixels are
-/// mixed by the area of each that the surface covers, to 1/255. Edges inside a surface stay as they are, without a seam, and so do
-/// all other pixels.
+/// The [`Look`] `L` with antialiased silhouettes: where a surface ends before another one or before what the band had, pixels
+/// are mixed by the area of each that the surface covers, to 1/255. Edges inside a surface stay as they are, without a seam,
+/// and so do all other pixels.
 ///
-/// Which edges are silhouettes is found out from the [neighbours](crate::scene::FaceSet::with_neighbours) of the faces of a mesh.
-/// Without them each of its edges takes time, and cancels out: a silhouette covers the same, but the pixels beside a face may have
-/// the colour of another face that has an edge there.
+/// Which edges are silhouettes is found out from the [neighbours](crate::scene::FaceSet::with_neighbours) of the faces of a
+/// mesh. Without them each of its edges takes time, and cancels out: a silhouette covers the same, but the pixels beside a face
+/// may have the colour of another face that has an edge there.
 ///
 /// Faces that are cut (at the near plane, the far plane or the guard band), and faces that are
-/// [translucent](crate::shade::Translucent), have edges by the centres of pixels, as without this look. Where two silhouettes at different depths
-/// pass through the same pixel, they are taken for one.
+/// [translucent](crate::shade::Translucent), have edges by the centres of pixels, as without this look. Where two silhouettes
+/// at different depths pass through the same pixel, they are taken for one.
 ///
-/// Memory beside that of `L`: 12 bytes a column, 4 a face and 4 a row. Cost: no row is drawn without depths; a look at each face a frame,
-/// some 300 instructions for each silhouette edge that a row touches, and a look at all faces of the row where it is over other ones.
+/// Memory beside that of `L`: 12 bytes a column, 4 a face and 4 a row. Cost: no row is drawn without depths; a look at each
+/// face a frame, some 300 instructions for each silhouette edge that a row touches, and a look at all faces of the row where it
+/// is over other ones.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};

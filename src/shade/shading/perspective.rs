@@ -27,8 +27,8 @@ use crate::{
 /// least, or at every `STEP`th: 1, 2, 4, 8 or 16.
 ///
 /// Between divisions numbers step evenly. Over a face of which one side is twice as far away as the other they are off by up to
-/// 1/55 of the range of the texture where `STEP` is 16, by 1/190 where it is 8, and by nothing where it is 1. On a Cortex-M4 a large
-/// face takes a quarter more cycles with 8 and 4.8 times as many with 1.
+/// 1/55 of the range of the texture where `STEP` is 16, by 1/190 where it is 8, and by nothing where it is 1. On a Cortex-M4 a
+/// large face takes a quarter more cycles with 8 and 4.8 times as many with 1.
 ///
 /// At a pixel they are not rounded: the 16 fractional bits are those of the number. Where a face's depths differ by up to 100
 /// times, numbers over a range of 4,096 are within one unit where they are divided. Numbers within 8 units of the ends of `i16`

@@ -2,7 +2,8 @@
 //!
 //! A model is read as it stands in its file ([`obj`], [`mtl`], [`stl`], [`texture`]), turned to zrow's axes and rounded to 16
 //! bits ([`quantize`]), its faces are cut into triangles ([`triangulate`]), and equal vertices become one ([`convert`]).
-//! Coarser levels of detail are made of the vertices that are there ([`levels`]), and so is a table of edges ([`edges`](mod@edges)).
+//! Coarser levels of detail are made of the vertices that are there ([`levels`]), and so is a table of edges
+//! ([`edges`](mod@edges)).
 //!
 //! OBJ and STL are parsed here: the crates that read them give no line numbers with their errors, or none at all.
 

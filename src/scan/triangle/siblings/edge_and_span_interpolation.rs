@@ -39,7 +39,8 @@ struct AttributeEdge<const N: usize> {
     edge: Edge,
     /// The first pixel whose centre is on the edge or right of it, in the current row.
     crossing: Crossing,
-    /// Where the edge crosses the centre of the current row, in units with 32 fractional bits, and what a row adds.
+    /// The column at which the edge crosses the centre line of the current row of pixels, in sub-pixel units with 32 fractional
+    /// bits, and what it gains from row to row.
     x: i64,
     x_step: i64,
     /// The attributes there, with 16 fractional bits, and what a row adds.

@@ -9,7 +9,7 @@
 //! from the exact plane: 1/2 for rounding, and at most 2^-17 for each column and row of the way from the first corner, of which
 //! the domain has fewer than 2^15. Sums wrap around, as gradients of slivers do not fit 32 bits; attributes always do.
 //!
-//! What [`Gouraud`](crate::shade::Gouraud) shades with, in this form by itself.
+//! The faces of [`Gouraud`](crate::shade::Gouraud) shading are interpolated by planes, too, by code of their own.
 
 use core::num::{NonZeroU64, Wrapping};
 

@@ -1,4 +1,5 @@
-//! Counts the ways to fill a polygon, those to fill a triangle, and those to interpolate over one, on a full-frame `Band` of 240 x 320 RGB565.
+//! Counts the ways to fill a polygon, those to fill a triangle, and those to interpolate over one, on a full-frame `Band` of
+//! 240 x 320 RGB565.
 //!
 //! Each way hands its spans to the band: the pixels are part of the count, and equal checksums are equal pictures.
 #![no_std]

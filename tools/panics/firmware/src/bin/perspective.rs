@@ -1,4 +1,5 @@
-//! A scene with perspective, prepared and drawn: a division is reached from where vertices are projected, which the command has to find.
+//! A scene with perspective, prepared and drawn: a division is reached from where vertices are projected, which the command has
+//! to find.
 
 #![no_std]
 #![no_main]
