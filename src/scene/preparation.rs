@@ -91,7 +91,7 @@ pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) ->
 
 /// Whether the corners run clockwise on the screen, in exact arithmetic.
 #[inline]
-fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
+pub(super) fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {
     let (x1, y1) = (b.x - a.x, b.y - a.y);
     let (x2, y2) = (c.x - a.x, c.y - a.y);
     if S::FRACTION_BITS <= 4 {

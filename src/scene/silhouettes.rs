@@ -11,7 +11,7 @@
 //! with silhouettes.
 
 use crate::{
-    geometry::offset_from,
+    geometry::{SubPixel, offset_from},
     mesh::FaceSet,
     scene::{
         Look, Model,
@@ -20,12 +20,13 @@ use crate::{
         frame::corners,
         lens::ScreenVertexOf,
         off_screen::is_outside,
+        preparation::is_front,
         prepared_faces::PreparedFaces,
         silhouette_tables::{SilhouetteTables, SilhouettesOf},
     },
     shade::Shading,
     surface::{BandColor, Order},
-    view::{Position, ScreenPrecision, ScreenVertex},
+    view::ScreenVertex,
     visible::{DepthRow, EdgeRow, FaceEdges, NONE, Silhouettes},
 };
 
@@ -123,9 +124,9 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
     #[inline(never)]
     fn enter_silhouettes(&self, faces: &mut [FaceEdges], rows: &mut [FaceEdges], row: i32) {
         rows.fill(FaceEdges::seen(false, false).with_next(NONE));
-        let one = 1 << <L::Precision as crate::geometry::SubPixel>::FRACTION_BITS;
+        let one = 1 << <L::Precision as SubPixel>::FRACTION_BITS;
         // The row that a coordinate lies in, and that which ends at it or around it.
-        let row_of = |units: i32| (units + one / 2) >> <L::Precision as crate::geometry::SubPixel>::FRACTION_BITS;
+        let row_of = |units: i32| (units + one / 2) >> <L::Precision as SubPixel>::FRACTION_BITS;
         for (node, face) in (0..).zip(faces) {
             if !face.has_any() {
                 continue;
@@ -160,8 +161,8 @@ fn see_faces<L: Look>(model: &Model<'_, L::Shading>, vertices: &[ScreenVertexOf<
             continue;
         }
         let [a, b, c] = corners.map(ScreenVertex::position);
-        let area = doubled_area::<L::Precision>(a, b, c);
-        let (is_clockwise, is_counterclockwise) = (area > 0, area < 0);
+        let is_clockwise = is_front::<L::Precision>(a, b, c);
+        let is_counterclockwise = !is_clockwise && is_front::<L::Precision>(a, c, b);
         *face = if L::DRAWS_BACKS {
             FaceEdges::seen(is_clockwise, is_counterclockwise)
         } else if is_mirrored {
@@ -186,18 +187,5 @@ fn see_neighbours(mesh: &FaceSet<'_>, faces: &mut [FaceEdges]) {
         if let Some(entry) = faces.get_mut(index) {
             *entry = face;
         }
-    }
-}
-
-/// Twice the area of a face, positive where its corners run clockwise, exactly but for its size.
-#[inline]
-fn doubled_area<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> i64 {
-    let (x1, y1) = (b.x - a.x, b.y - a.y);
-    let (x2, y2) = (c.x - a.x, c.y - a.y);
-    if S::FRACTION_BITS <= 4 {
-        // Differences are at most 32,752: each product fits.
-        i64::from(x1 * y2) - i64::from(x2 * y1)
-    } else {
-        i64::from(x1) * i64::from(y2) - i64::from(x2) * i64::from(y1)
     }
 }
