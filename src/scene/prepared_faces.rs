@@ -285,10 +285,10 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         self.face_of_first_model(node).or_else(|| self.other_face(node))
     }
 
-    fn attributes(&self, node: u16) -> Option<[AttributesOf<L>; 3]> {
+    fn attributes(&self, node: u16) -> Option<[&AttributesOf<L>; 3]> {
         if !is_whole::<L>(node) {
             let start = usize::from(node & !FRAGMENT) + 1;
-            return self.attributes.get(start..)?.first_chunk().copied();
+            return self.attributes.get(start..)?.first_chunk().map(<[_; 3]>::each_ref);
         }
         let (first_vertex, face) = match self.first_faces.get(usize::from(node)) {
             Some(face) => {
@@ -308,7 +308,7 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         } else {
             face
         };
-        let attributes = |index: u16| self.attributes.get(first_vertex + usize::from(index)).copied();
+        let attributes = |index: u16| self.attributes.get(first_vertex + usize::from(index));
         Some([attributes(a)?, attributes(b)?, attributes(c)?])
     }
 

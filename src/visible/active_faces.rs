@@ -117,8 +117,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         O: Order,
         D: DepthWidth,
     {
-        let may_be_disjoint =
-            depth_use == DepthUse::WhereFacesMayOverlap && !H::Attributes::NEED_DEPTH && !steps_at_end::<_, _, _, F>();
+        // Nothing but the faces is compared with the depths: a row without faces and silhouettes needs none.
+        let only_faces = depth_use == DepthUse::WhereFacesMayOverlap;
+        let may_be_disjoint = only_faces && !H::Attributes::NEED_DEPTH && !steps_at_end::<_, _, _, F>();
         if !self.is_at(row) || (self.disjoint && !may_be_disjoint) {
             self.first_column = row.left;
             self.enter(faces, row.y, may_be_disjoint);
@@ -139,7 +140,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             self.enter(faces, row.y, true);
         }
         self.close_gaps();
-        if may_be_disjoint && self.used == 0 {
+        if only_faces && self.used == 0 && edges.columns().is_none_or(|edges| edges.is_untouched()) {
             self.rows_without_depth += 1;
             return;
         }

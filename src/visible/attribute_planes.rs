@@ -1,65 +1,76 @@
 //! Sets up the planes of the attributes of a face: one reciprocal a small face, whatever the number of planes.
 
+use core::marker::PhantomData;
+
 use crate::{
-    geometry::{ScreenPlane, Window},
+    geometry::ScreenPlane,
     shade::{PlaneSource, Planes, Shading},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{
         active_face::{ActiveFace, Surroundings, from_top, in_order_of_rows},
         depth_plane::{AreaReciprocal, SmallFace, wide_attribute_plane},
-        face_table::FaceTable,
+        face_table::{FaceTable, corners_from_top},
         sides::Sides,
     },
 };
 
 /// The corners of a face on the screen, from its top.
-struct Corners<'v> {
+struct Corners<'c, 'v, S, D, H, F> {
     sides: Sides,
     depths: [u32; 3],
     /// The reciprocal of its area, for a small face.
     small: Option<(SmallFace, AreaReciprocal)>,
-    viewport: &'v Window,
-    first_column: i32,
+    faces: &'c F,
+    node: u16,
+    surroundings: &'c Surroundings<'v>,
+    look: PhantomData<(S, D, H)>,
 }
 
-impl<'v> Corners<'v> {
-    fn new<S: ScreenPrecision>(sides: Sides, depths: [u32; 3], surroundings: &Surroundings<'v>) -> Self {
-        Self {
-            sides,
-            depths,
-            small: if S::FRACTION_BITS <= 4 {
-                SmallFace::new(&sides).and_then(|small| Some((small, small.reciprocal()?)))
-            } else {
-                None
-            },
-            viewport: surroundings.viewport,
-            first_column: surroundings.first_column,
-        }
-    }
-}
-
-/// A [`PlaneSource`] at a precision.
-struct AtPrecision<'c, 'v, S>(&'c Corners<'v>, core::marker::PhantomData<S>);
-
-impl<S: ScreenPrecision> PlaneSource for AtPrecision<'_, '_, S> {
+impl<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> PlaneSource for Corners<'_, '_, S, D, H, F> {
     #[inline]
     fn plane(&self, values: [i32; 3]) -> ScreenPlane {
-        let corners = self.0;
-        match corners
+        match self
             .small
             .and_then(|(small, reciprocal)| small.gradients(values, || Some(reciprocal)))
         {
-            Some(small) => small.through(corners.sides.top, values[0]),
+            Some(small) => small.through(self.sides.top, values[0]),
             None => {
-                let mut sides = corners.sides;
-                sides.top.x += corners.first_column << S::FRACTION_BITS;
-                wide_attribute_plane::<S>(&sides, values, corners.viewport, corners.first_column)
+                let [top, right, left] = values;
+                wide_plane(self.faces, self.node, self.surroundings, top, right, left)
             }
         }
     }
 
+    #[inline]
     fn depths(&self) -> [u32; 3] {
-        self.0.depths
+        self.depths
+    }
+}
+
+/// The plane of an attribute of a face that is not small, or where it is steep, from its values at the corners.
+// The corners are looked up once more, and the values handed over one by one, so that those of the many small faces stay in
+// registers.
+#[cold]
+#[inline(never)]
+fn wide_plane<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    node: u16,
+    surroundings: &Surroundings<'_>,
+    top: i32,
+    right: i32,
+    left: i32,
+) -> ScreenPlane {
+    match corners_from_top(faces, node) {
+        Some(corners) => {
+            let sides = Sides::of(corners, 0);
+            wide_attribute_plane::<S>(
+                &sides,
+                [top, right, left],
+                surroundings.viewport,
+                surroundings.first_column,
+            )
+        }
+        None => ScreenPlane::ZERO,
     }
 }
 
@@ -75,15 +86,26 @@ pub(super) fn set_up_attributes<S: ScreenPrecision, D: DepthWidth, H: Shading, F
         return;
     };
     let attributes = in_order_of_rows(corners, attributes);
-    let corners = from_top(corners);
-    let sides = Sides::of(corners, surroundings.first_column);
+    let from_top = from_top(corners);
+    let sides = Sides::of(from_top, surroundings.first_column);
     let depths = if F::IS_ORTHOGRAPHIC {
         // Nothing has a weight: as in a face whose corners are all as far away.
         [1; 3]
     } else {
-        corners.map(|corner| (corner.z.units() as u32) << D::FRACTION_BITS)
+        from_top.map(|corner| (corner.z.units() as u32) << D::FRACTION_BITS)
     };
-    let corners = Corners::new::<S>(sides, depths, surroundings);
-    let source = AtPrecision::<S>(&corners, core::marker::PhantomData);
-    face.attributes = H::Attributes::set_up(attributes, &source, H::TOLERANCE);
+    let corners = Corners::<S, D, H, F> {
+        sides,
+        depths,
+        small: if S::FRACTION_BITS <= 4 {
+            SmallFace::new(&sides).and_then(|small| Some((small, small.reciprocal()?)))
+        } else {
+            None
+        },
+        faces,
+        node: face.node,
+        surroundings,
+        look: PhantomData,
+    };
+    H::Attributes::set_up(&mut face.attributes, attributes, &corners, H::TOLERANCE);
 }

@@ -48,7 +48,7 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     /// The face of a node, with its colour; `None` where there is no such node.
     fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>>;
     /// The attributes of the corners of a node, in the order of its corners.
-    fn attributes(&self, node: u16) -> Option<[H::Attributes; 3]>;
+    fn attributes(&self, node: u16) -> Option<[&H::Attributes; 3]>;
     /// What a model has beside its mesh.
     type Skin: Copy;
     /// What the model of a node has beside its mesh.

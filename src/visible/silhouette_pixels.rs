@@ -116,10 +116,10 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
     H: Shading,
     F: FaceTable<S, D, H>,
 {
-    let [first, end] = edges.touched;
-    if first >= end {
+    if edges.is_untouched() {
         return;
     }
+    let [first, end] = edges.touched;
     let touched = edges.columns.get_mut(first as usize..end as usize);
     let mut area = Wrapping(0);
     let mut crowded = [None; BATCH];
@@ -354,7 +354,7 @@ fn shaded_word_of<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S,
 ) -> Option<WordOf<H>> {
     let skin = faces.skin(face.node)?;
     let mut values = run::<S, D, H, F>(face, [column, column + 1], [column, row], left, None).values;
-    H::Attributes::clamp(&mut values, &faces.attributes(face.node)?);
+    H::Attributes::clamp(&mut values, faces.attributes(face.node)?);
     F::fragment(skin, face.word, &values)
 }
 

@@ -257,6 +257,13 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         }
     }
 
+    /// Whether no silhouette passes through the row.
+    #[inline(always)]
+    pub(super) fn is_untouched(&self) -> bool {
+        let [first, end] = self.touched;
+        first >= end
+    }
+
     /// Adds an edge of a face, clockwise; `words` are the pixels of the row, which nothing of the scene was drawn to yet. An
     /// edge that is not drawn counts in the number of surfaces alone. Returns whether the edge goes on below the row.
     pub(crate) fn add<S: ScreenPrecision>(

@@ -199,3 +199,14 @@ fn hidden_pixels_have_no_texels() {
     assert_eq!(both.fragments, one.fragments);
     assert!(both.pixels_tested > one.pixels_tested);
 }
+
+/// Rows of a textured scene that no face crosses need no depths; all others have them.
+#[test]
+fn rows_without_faces_have_no_depths() {
+    let (counters, _) = quadrangles(&[(4096, 0.0)]);
+    let crossed = counters.rows - counters.rows_without_depth;
+    assert_eq!(counters.rows, 64);
+    assert!((5..60).contains(&crossed), "{counters:?}");
+    // Two faces to a row, but for those in which the diagonal leaves one of them empty.
+    assert!((crossed..=2 * crossed).contains(&counters.spans_tested), "{counters:?}");
+}

@@ -88,7 +88,14 @@ fn bound(face: &Face, numbers: &[[i16; 2]; 3]) -> f64 {
 /// Whether a face is drawn without divisions.
 fn is_even(face: &Face, numbers: &[[i16; 2]; 3], tolerance: u16) -> bool {
     let depths = face.corners.map(|[.., depth]| depth);
-    range(numbers) * spread(depths) <= 4 * i128::from(tolerance) * depths.iter().min().unwrap()
+    let most = 4 * i128::from(tolerance) * depths.iter().min().unwrap();
+    let corners = [0, 1, 2]
+        .into_iter()
+        .flat_map(|one| (0..one).map(move |other| [one, other]));
+    corners.into_iter().all(|[one, other]| {
+        let depth = (depths[one] - depths[other]).abs();
+        (0..2).all(|shown| depth * i128::from(numbers[one][shown].abs_diff(numbers[other][shown])) <= most)
+    })
 }
 
 /// Draws a model of one face and hands each face on the screen that is not cut over, with its numbers and errors.

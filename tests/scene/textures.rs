@@ -13,7 +13,7 @@ use zrow::{
 
 use crate::common::channels::Channels;
 use crate::common::{cases, config};
-use crate::shaded_scene::{SIZE, SmallMemory, UNTOUCHED, camera_in_units, triangle, unit, words};
+use crate::shaded_scene::{SIZE, SmallMemory, UNTOUCHED, camera_in_units, flat_corners, triangle, unit, words};
 use crate::shading_perspective::{in_space, span};
 use crate::snapped_faces::snapped;
 
@@ -361,6 +361,21 @@ proptest! {
         check_choice::<Numbered>(corners, coordinates);
         check_choice::<Fine<Numbered>>(corners, coordinates);
         check_choice::<Deep<Numbered>>(corners, coordinates);
+    }
+
+    /// Faces that lean so little that some are drawn without divisions.
+    #[test]
+    fn texels_of_faces_that_lean_are_within_half_a_texel(
+        corners in flat_corners(),
+        distances in prop::array::uniform3(-60i16..60),
+        coordinates in prop::array::uniform3(prop::array::uniform2(0i16..=4096)),
+    ) {
+        let mut corners = corners.map(|[x, y, z]| [x.clamp(-1_100, 1_100), y.clamp(-1_100, 1_100), z]);
+        for (corner, distance) in corners.iter_mut().zip(distances) {
+            corner[2] += distance;
+        }
+        check_choice::<Numbered>(corners, coordinates);
+        check_choice::<Fine<Deep<Numbered>>>(corners, coordinates);
     }
 }
 

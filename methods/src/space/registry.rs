@@ -67,7 +67,7 @@ methods! { $
     /// How often texture coordinates are divided by the depth.
     perspectives, PERSPECTIVES: [
         [affine] [$crate::space::InSpace<65_535>] "affine", 64;
-        [quarter_texel] [$crate::space::InSpace<16>] "every 16 px where 1/4 texel off", 64;
+        [by_texel_error] [$crate::space::InSpace<24>] "every 16 px where 3/8 texel off", 64;
         [every_16] [$crate::space::InSpace<0>] "every 16 px", 64;
         [every_8] [$crate::space::InSpace<0, 8>] "every 8 px", 64;
         [every_1] [$crate::space::InSpace<0, 1>] "every px", 64;

@@ -36,8 +36,9 @@ pub trait Planes: CutAttributes {
     /// The planes of a slot that has no face.
     const NO_PLANES: Self::Planes;
 
-    /// Sets the planes of a face up. Attributes that vary evenly in space may be wrong by `tolerance` units.
-    fn set_up(corners: [Self; 3], face: &impl PlaneSource, tolerance: Self::Tolerance) -> Self::Planes;
+    /// Sets the planes of a face up in the slot that keeps them; returned they would be copied. Attributes that vary evenly in
+    /// space may be wrong by `tolerance` units.
+    fn set_up(planes: &mut Self::Planes, corners: [&Self; 3], face: &impl PlaneSource, tolerance: Self::Tolerance);
 
     /// Whether the attributes step evenly along whole spans of the face.
     fn are_even(planes: &Self::Planes) -> bool;
@@ -52,7 +53,7 @@ pub trait Planes: CutAttributes {
     fn step(values: &mut Self::Values, per_column: &Self::Values);
 
     /// Limits attributes to those of the corners of a face, for pixels beside it.
-    fn clamp(values: &mut Self::Values, corners: &[Self; 3]);
+    fn clamp(values: &mut Self::Values, corners: [&Self; 3]);
 }
 
 /// Where in a span attributes are asked for.
@@ -117,7 +118,7 @@ impl Planes for () {
     const NO_PLANES: () = ();
 
     #[inline]
-    fn set_up(_: [(); 3], _: &impl PlaneSource, (): ()) {}
+    fn set_up((): &mut (), _: [&(); 3], _: &impl PlaneSource, (): ()) {}
 
     #[inline]
     fn are_even((): &()) -> bool {
@@ -143,7 +144,7 @@ impl Planes for () {
     fn step((): &mut (), (): &()) {}
 
     #[inline]
-    fn clamp((): &mut (), _: &[(); 3]) {}
+    fn clamp((): &mut (), _: [&(); 3]) {}
 }
 
 impl<const N: usize> Attributes for [i16; N] {
@@ -181,13 +182,11 @@ impl<const N: usize> Planes for [i16; N] {
     const NO_PLANES: [ScreenPlane; N] = [ScreenPlane::ZERO; N];
 
     #[inline]
-    fn set_up([a, b, c]: [Self; 3], face: &impl PlaneSource, _: u16) -> [ScreenPlane; N] {
-        let mut planes = Self::NO_PLANES;
-        let corners = a.into_iter().zip(b).zip(c);
+    fn set_up(planes: &mut [ScreenPlane; N], [a, b, c]: [&Self; 3], face: &impl PlaneSource, _: u16) {
+        let corners = a.iter().zip(b).zip(c);
         for (plane, ((a, b), c)) in planes.iter_mut().zip(corners) {
-            *plane = face.plane([a.into(), b.into(), c.into()]);
+            *plane = face.plane([(*a).into(), (*b).into(), (*c).into()]);
         }
-        planes
     }
 
     #[inline]
@@ -222,13 +221,13 @@ impl<const N: usize> Planes for [i16; N] {
         }
     }
 
-    fn clamp(values: &mut [i32; N], corners: &[Self; 3]) {
+    fn clamp(values: &mut [i32; N], corners: [&Self; 3]) {
         clamp(values, corners, 1 << 15);
     }
 }
 
 /// Limits numbers with 16 fractional bits to those of three corners, to which so much is added.
-pub(super) fn clamp<const N: usize>(values: &mut [i32; N], [a, b, c]: &[[i16; N]; 3], added: i32) {
+pub(super) fn clamp<const N: usize>(values: &mut [i32; N], [a, b, c]: [&[i16; N]; 3], added: i32) {
     for (value, ((a, b), c)) in values.iter_mut().zip(a.iter().zip(b).zip(c)) {
         let [least, most] = [*a.min(b).min(c), *a.max(b).max(c)].map(|number| (i32::from(number) << 16) + added);
         *value = (*value).max(least).min(most);
@@ -259,11 +258,14 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
     const NO_PLANES: Self::Planes = (A::NO_PLANES, B::NO_PLANES);
 
     #[inline]
-    fn set_up(corners: [Self; 3], face: &impl PlaneSource, (first, second): Self::Tolerance) -> Self::Planes {
-        (
-            A::set_up(corners.map(|corner| corner.0), face, first),
-            B::set_up(corners.map(|corner| corner.1), face, second),
-        )
+    fn set_up(
+        planes: &mut Self::Planes,
+        [a, b, c]: [&Self; 3],
+        face: &impl PlaneSource,
+        (first, second): Self::Tolerance,
+    ) {
+        A::set_up(&mut planes.0, [&a.0, &b.0, &c.0], face, first);
+        B::set_up(&mut planes.1, [&a.1, &b.1, &c.1], face, second);
     }
 
     #[inline]
@@ -292,9 +294,9 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
         B::step(&mut values.1, &per_column.1);
     }
 
-    fn clamp(values: &mut Self::Values, corners: &[Self; 3]) {
-        A::clamp(&mut values.0, &corners.map(|corner| corner.0));
-        B::clamp(&mut values.1, &corners.map(|corner| corner.1));
+    fn clamp(values: &mut Self::Values, [a, b, c]: [&Self; 3]) {
+        A::clamp(&mut values.0, [&a.0, &b.0, &c.0]);
+        B::clamp(&mut values.1, [&a.1, &b.1, &c.1]);
     }
 }
 

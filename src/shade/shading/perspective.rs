@@ -9,8 +9,16 @@
 //! ```
 //!
 //! Where a face's depths and attributes differ so little that their own planes are within the tolerance everywhere, those are
-//! kept, and nothing is divided. By how much they miss is a covariance, and so at most a quarter of the attribute's range over
-//! the face times the range of the depth, divided by the depth.
+//! kept, and nothing is divided. By how much they miss is the covariance of attribute and depth, divided by the depth. With the
+//! barycentric coordinates a, b, c of a pixel as weights it is
+//!
+//! ```text
+//!     a b (ua - ub)(da - db) + b c (ub - uc)(db - dc) + c a (uc - ua)(dc - da)
+//! ```
+//!
+//! and at most a quarter of the greatest of the three products of differences. Where two of them have one sign, a b + b c =
+//! b (1 - b) at most is a quarter. Where all three have, the corners come in one order, or in opposite ones, by attribute and
+//! by depth, so that one product is that of both ranges, and no covariance is more than a quarter of that.
 //!
 //! Source: Heckbert and Moreton (1991), "Interpolation for polygon texture mapping and shading"; a division every 16 pixels as
 //! in Abrash (1997), "Graphics programming black book", chapter 68.
@@ -78,17 +86,17 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         exponent: None,
     };
 
-    fn set_up(corners: [Self; 3], face: &impl PlaneSource, tolerance: u16) -> PerspectivePlanes<N> {
-        let corners = corners.map(|corner| corner.0);
+    fn set_up(set_up: &mut PerspectivePlanes<N>, [a, b, c]: [&Self; 3], face: &impl PlaneSource, tolerance: u16) {
+        let corners = [&a.0, &b.0, &c.0];
         let depths = face.depths();
-        let mut set_up = Self::NO_PLANES;
-        if is_nearly_even(&corners, depths, tolerance) {
-            for (plane, values) in set_up.planes.iter_mut().zip(by_attribute(&corners)) {
+        if is_nearly_even(corners, depths, tolerance) {
+            set_up.exponent = None;
+            for (plane, values) in set_up.planes.iter_mut().zip(by_attribute(corners)) {
                 *plane = without_half(face.plane(values.map(i32::from)));
             }
-            return set_up;
+            return;
         }
-        set_up.base = odd_one_out(corners, depths);
+        let base = *odd_one_out(corners, depths);
         let products = |values: [i16; 3], base: i16| {
             let mut products = [0; 3];
             for (product, (value, depth)) in products.iter_mut().zip(values.into_iter().zip(depths)) {
@@ -97,8 +105,8 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
             products
         };
         let all = || {
-            by_attribute(&corners)
-                .zip(set_up.base)
+            by_attribute(corners)
+                .zip(base)
                 .map(|(values, base)| products(values, base))
         };
         let greatest = all()
@@ -107,13 +115,11 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         // 15 bits are left. Not -2^15, past which the error of a gradient would wrap.
         let exponent = 49u32.saturating_sub(greatest.leading_zeros());
         let rounded = |product: i64| ((product + ((1 << exponent) >> 1)) >> exponent).clamp(-0x7fff, 0x7fff) as i32;
-        let mut planes = Self::NO_PLANES.planes;
-        for (plane, products) in planes.iter_mut().zip(all()) {
+        for (plane, products) in set_up.planes.iter_mut().zip(all()) {
             *plane = without_half(face.plane(products.map(rounded)));
         }
-        set_up.planes = planes;
+        set_up.base = base;
         set_up.exponent = Some(exponent as u8);
-        set_up
     }
 
     #[inline]
@@ -171,8 +177,8 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         <[i16; N]>::step(values, per_column);
     }
 
-    fn clamp(values: &mut [i32; N], corners: &[Self; 3]) {
-        clamp(values, &corners.map(|corner| corner.0), 0);
+    fn clamp(values: &mut [i32; N], [a, b, c]: [&Self; 3]) {
+        clamp(values, [&a.0, &b.0, &c.0], 0);
     }
 }
 
@@ -185,13 +191,13 @@ fn without_half(plane: ScreenPlane) -> ScreenPlane {
 }
 
 /// The values of each attribute at three corners.
-fn by_attribute<const N: usize>([a, b, c]: &[[i16; N]; 3]) -> impl Iterator<Item = [i16; 3]> {
+fn by_attribute<const N: usize>([a, b, c]: [&[i16; N]; 3]) -> impl Iterator<Item = [i16; 3]> {
     a.iter().zip(b).zip(c).map(|((a, b), c)| [*a, *b, *c])
 }
 
 /// The attributes of the corner from which the others are counted: the farthest or the nearest one, whose depth is farther from
 /// that of the corner in the middle, as a ratio. So the products with the depths of the two others have about as many digits.
-fn odd_one_out<const N: usize>([a, b, c]: [[i16; N]; 3], [depth_a, depth_b, depth_c]: [u32; 3]) -> [i16; N] {
+fn odd_one_out<const N: usize>([a, b, c]: [&[i16; N]; 3], [depth_a, depth_b, depth_c]: [u32; 3]) -> &[i16; N] {
     let (least, most) = (depth_a.min(depth_b).min(depth_c), depth_a.max(depth_b).max(depth_c));
     let middle = u64::from(depth_a ^ depth_b ^ depth_c ^ least ^ most);
     let is_farthest = middle * middle > u64::from(least) * u64::from(most);
@@ -202,13 +208,21 @@ fn odd_one_out<const N: usize>([a, b, c]: [[i16; N]; 3], [depth_a, depth_b, dept
     }
 }
 
-/// Whether attributes are within a tolerance of being even on the screen.
-fn is_nearly_even<const N: usize>(corners: &[[i16; N]; 3], [d1, d2, d3]: [u32; 3], tolerance: u16) -> bool {
-    let range = |[a, b, c]: [i16; 3]| a.max(b).max(c).abs_diff(a.min(b).min(c));
-    let greatest = by_attribute(corners).map(range).max().unwrap_or(0);
-    let (least, most) = (d1.min(d2).min(d3), d1.max(d2).max(d3));
-    // Below 2^16 and 2^32.
-    u64::from(greatest) * u64::from(most - least) <= 4 * u64::from(tolerance) * u64::from(least)
+/// Whether attributes are within a tolerance of being even on the screen: whether for each two corners the product of the
+/// differences of attribute and depth is.
+fn is_nearly_even<const N: usize>([a, b, c]: [&[i16; N]; 3], [d1, d2, d3]: [u32; 3], tolerance: u16) -> bool {
+    let least = d1.min(d2).min(d3);
+    // Below 2^50.
+    let most = 4 * u64::from(tolerance) * u64::from(least);
+    let is_near = |one: &[i16; N], other: &[i16; N], depth: u32| {
+        let greatest = one
+            .iter()
+            .zip(other)
+            .fold(0, |greatest, (one, other)| one.abs_diff(*other).max(greatest));
+        // Below 2^16 and 2^32.
+        u64::from(greatest) * u64::from(depth) <= most
+    };
+    is_near(a, b, d1.abs_diff(d2)) && is_near(b, c, d2.abs_diff(d3)) && is_near(c, a, d3.abs_diff(d1))
 }
 
 /// The attributes at a pixel, with 16 fractional bits.

@@ -80,7 +80,7 @@ impl<T: Texture> Sampler for T {
 /// Fractional bits of texture coordinates at a pixel, as parts of the whole texture: 1/4,096 with 16 more bits.
 const COORDINATE_BITS: u32 = 28;
 
-/// How far texture coordinates may be off, in 1/4,096 of a texture: 1/4 texel.
+/// How far texture coordinates may be off, in 1/4,096 of a texture: 3/8 texel.
 pub(super) const fn tolerance<T: Texture>() -> u16 {
     assert!(
         T::COLUMN_BITS <= 12 && T::ROW_BITS <= 12,
@@ -91,7 +91,7 @@ pub(super) const fn tolerance<T: Texture>() -> u16 {
     } else {
         T::ROW_BITS
     };
-    (4096 / 4) >> bits
+    (4096 * 3 / 8) >> bits
 }
 
 /// The number of bits of a width or height, which must be a power of two.

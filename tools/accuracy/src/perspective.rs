@@ -56,7 +56,7 @@ impl Axis for Perspective {
                 ),
                 "Every 16, 8 or 1 px: divided at both ends of a span and at each column that is a multiple of that, evenly in \
                  between. The library's textures do that only where a face's coordinates, taken evenly over the screen, \
-                 would be 1/4 texel off somewhere. Every fragment: a shading of the report's own divides both coordinates of \
+                 would be 3/8 texel off somewhere. Every fragment: a shading of the report's own divides both coordinates of \
                  each fragment that is seen, from planes of 16 bits, to 1/64 texel; it takes models that are moved along z \
                  alone."
                     .to_owned(),
@@ -74,9 +74,9 @@ impl Axis for Perspective {
     }
 }
 
-/// The program of the textured teapot, which divides where it is a quarter texel off.
+/// The program of the textured teapot, which divides where it is 3/8 texel off.
 fn flash(method: &SpaceMethod) -> &'static str {
-    if method.variant == "quarter_texel" {
+    if method.variant == "by_texel_error" {
         "effect.texture.flash"
     } else {
         ""
