@@ -127,8 +127,8 @@ pub(super) struct Surroundings<'v> {
 }
 
 impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
-    /// Sets up a face for its first row, from its corners, clockwise, as far as it is small. Returns the parts that are
-    /// left.
+    /// Sets up the edges of a face for its first row, and its depth plane if it has no attributes, from its corners, clockwise, as
+    /// far as it is small. Returns the parts that are left.
     // A function of its own, because it needs all registers.
     #[inline(never)]
     pub(super) fn set_up_small<D: DepthWidth>(
@@ -141,7 +141,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         let corners = from_top([a, b, c]);
         let sides = Sides::of(corners, surroundings.first_column);
         let mut left_over = NOTHING;
-        if !surroundings.without_plane {
+        // With attributes it is set up with theirs, by one reciprocal.
+        if !surroundings.without_plane && !H::Attributes::VARY {
             match DepthPlane::small(corners, &sides) {
                 Some(plane) => self.plane = plane,
                 None => left_over = PLANE,

@@ -1,4 +1,4 @@
-//! Sets up the planes of the attributes of a face: one reciprocal a small face, whatever the number of planes.
+//! Sets up the planes of the depth and the attributes of a face: one reciprocal a small face, whatever the number of planes.
 
 use core::marker::PhantomData;
 
@@ -8,7 +8,7 @@ use crate::{
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{
         active_face::{ActiveFace, Surroundings, from_top, in_order_of_rows},
-        depth_plane::{AreaReciprocal, SmallFace, wide_attribute_plane},
+        depth_plane::{AreaReciprocal, DepthPlane, SmallFace, wide_attribute_plane},
         face_table::{FaceTable, corners_from_top},
         sides::Sides,
     },
@@ -48,8 +48,8 @@ impl<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> Plane
 }
 
 /// The plane of an attribute of a face that is not small, or where it is steep, from its values at the corners.
-// The corners are looked up once more, and the values handed over one by one, so that those of the many small faces stay in
-// registers.
+// The corners are looked up once more, and the values handed over one by one, so that those of the many small faces need not be in
+// memory.
 #[cold]
 #[inline(never)]
 fn wide_plane<S: ScreenPrecision, D: DepthWidth, H: Shading>(
@@ -74,7 +74,20 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     }
 }
 
-/// Sets up the planes of the attributes of a face with these corners.
+/// Sets up the plane of the depth of a face that is not small, or where it is steep.
+#[cold]
+#[inline(never)]
+fn set_up_wide_depth<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    face: &mut ActiveFace<S, H>,
+    faces: &impl FaceTable<S, D, H>,
+    surroundings: &Surroundings<'_>,
+) {
+    if let Some(corners) = corners_from_top(faces, face.node) {
+        face.plane = DepthPlane::wide(corners, surroundings.viewport, surroundings.first_column);
+    }
+}
+
+/// Sets up the planes of the depth and of the attributes of a face with these corners.
 #[inline(never)]
 pub(super) fn set_up_attributes<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
     face: &mut ActiveFace<S, H>,
@@ -107,5 +120,17 @@ pub(super) fn set_up_attributes<S: ScreenPrecision, D: DepthWidth, H: Shading, F
         surroundings,
         look: PhantomData,
     };
+    if !surroundings.without_plane {
+        let small = match corners.small {
+            Some((small, reciprocal)) if D::FRACTION_BITS == 16 => {
+                DepthPlane::of_small_face(from_top, &sides, small, || Some(reciprocal))
+            }
+            _ => None,
+        };
+        match small {
+            Some(plane) => face.plane = plane,
+            None => set_up_wide_depth(face, faces, surroundings),
+        }
+    }
     H::Attributes::set_up(&mut face.attributes, attributes, &corners, H::TOLERANCE);
 }

@@ -30,12 +30,22 @@ impl ScreenPlane {
         if !is_small {
             return None;
         }
-        let [a, b, c] = corners;
         let face = SmallFace::new(sides)?;
-        let small = face.gradients([a.z.units(), b.z.units(), c.z.units()], || face.reciprocal())?;
+        Self::of_small_face(corners, sides, face, || face.reciprocal())
+    }
+
+    /// The plane through three corners of a small face; `None` where it is steep.
+    #[inline]
+    pub(super) fn of_small_face<S: ScreenPrecision, D: DepthWidth>(
+        [a, b, c]: [&ScreenVertex<S, D>; 3],
+        sides: &Sides,
+        face: SmallFace,
+        reciprocal: impl FnOnce() -> Option<AreaReciprocal>,
+    ) -> Option<Self> {
+        let small = face.gradients([a.z.units(), b.z.units(), c.z.units()], reciprocal)?;
         let origin_to_corner = small.origin_to(sides.top);
         Some(Self {
-            origin: rounded::<D>(corners[0].z) - origin_to_corner,
+            origin: rounded::<D>(a.z) - origin_to_corner,
             per_column: Wrapping(small.per_column as u32),
             per_row: Wrapping(small.per_row as u32),
         })
