@@ -56,21 +56,21 @@ impl BoundingBox {
         }
     }
 
-    /// The corner with the least coordinates, and the one with the greatest.
-    pub(crate) const fn ends(&self) -> [[i16; 3]; 2] {
-        [self.least, self.greatest]
+    /// The middle of the box, rounded down, which is nearer to the least coordinates; of the box around nothing, any point.
+    pub(super) const fn middle(&self) -> [i16; 3] {
+        let ([x1, y1, z1], [x2, y2, z2]) = (self.least, self.greatest);
+        [middle(x1, x2), middle(y1, y2), middle(z1, z2)]
     }
 
-    /// The eight corners; none of the box around nothing.
-    pub(crate) fn corners(&self) -> impl Iterator<Item = [i16; 3]> {
-        let ([x1, y1, z1], [x2, y2, z2]) = (self.least, self.greatest);
-        let corner = move |number: u8| {
-            let side = |bit: u8, least, greatest| if number & bit == 0 { least } else { greatest };
-            [side(1, x1, x2), side(2, y1, y2), side(4, z1, z2)]
-        };
-        let count = if x1 > x2 { 0 } else { 8 };
-        (0..count).map(corner)
+    /// The corner with the greatest coordinates; `None` of the box around nothing.
+    pub(super) const fn greatest(&self) -> Option<[i16; 3]> {
+        let ([x1, ..], [x2, ..]) = (self.least, self.greatest);
+        if x1 > x2 { None } else { Some(self.greatest) }
     }
+}
+
+const fn middle(one: i16, other: i16) -> i16 {
+    ((one as i32 + other as i32) >> 1) as i16
 }
 
 const fn lesser(one: i16, other: i16) -> i16 {
@@ -83,23 +83,14 @@ const fn greater(one: i16, other: i16) -> i16 {
 
 #[cfg(test)]
 mod tests {
-    extern crate std;
-
-    use std::vec::Vec;
-
     use super::*;
 
     #[test]
-    fn corners_are_those_of_the_points() {
+    fn boxes_are_those_of_the_points() {
         let bounds = BoundingBox::around(&[[3, -4, 9], [-2, 8, 9], [0, 0, i16::MIN]]);
-        let mut corners: Vec<_> = bounds.corners().collect();
-        corners.sort_unstable();
-        let expected = [-2, 3].map(|x| [-4, 8].map(|y| [i16::MIN, 9].map(|z| [x, y, z])));
-        assert_eq!(corners, expected.as_flattened().as_flattened());
-        assert_eq!(BoundingBox::around(&[]).corners().count(), 0);
-        assert_eq!(
-            BoundingBox::around(&[[7; 3]]).corners().collect::<Vec<_>>(),
-            [[7; 3]; 8]
-        );
+        assert_eq!((bounds.least, bounds.greatest), ([-2, -4, i16::MIN], [3, 8, 9]));
+        assert_eq!(bounds.middle(), [0, 2, -16_380]);
+        assert_eq!(BoundingBox::around(&[]).greatest(), None);
+        assert_eq!(BoundingBox::around(&[[7; 3]]).greatest(), Some([7; 3]));
     }
 }

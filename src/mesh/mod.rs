@@ -1,10 +1,17 @@
 //! Indexed face sets, as they lie in flash.
 
 mod bounding_box;
+mod bounding_cylinder;
+mod bounding_sphere;
+mod bounding_volume;
+mod enclosing_ball;
 mod face_set;
 mod neighbours;
 mod octahedral_normal;
 
 pub use bounding_box::BoundingBox;
+pub use bounding_cylinder::BoundingCylinder;
+pub use bounding_sphere::BoundingSphere;
+pub use bounding_volume::BoundingVolume;
 pub use face_set::FaceSet;
 pub(crate) use octahedral_normal::{normal, unit_normal};

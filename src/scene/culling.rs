@@ -2,7 +2,7 @@
 //! in the tables. Linked only for shadings whose models have [bounds](crate::shade::Shading::HAS_BOUNDS).
 
 use crate::{
-    mesh::BoundingBox,
+    mesh::BoundingVolume,
     scene::{
         Look, Model,
         lens::{ProjectionOf, ScreenVertexOf, has_far_plane, projection},
@@ -18,17 +18,19 @@ pub(super) fn view_volume<L: Look>(projection: &ProjectionOf<L>, camera: &Camera
     projection.view_volume(&camera.viewport(), L::IS_ORTHOGRAPHIC, ends_at_far_plane)
 }
 
-/// Whether all of a box is beyond one plane, so that nothing within it is seen.
+/// Whether all of a volume is beyond one plane, so that nothing within it is seen; a volume of which not all points fit the
+/// numbers of eye space is taken for one that is seen.
 #[inline(never)]
-pub(super) fn is_beyond(volume: &ViewVolume, transform: &impl ToEye, bounds: &BoundingBox) -> bool {
-    let mut shared = u32::MAX;
-    for corner in bounds.corners() {
-        shared &= volume.outcode(transform.apply(corner));
-        if shared == 0 {
-            return false;
-        }
-    }
-    true
+pub(super) fn is_beyond(
+    volume: &ViewVolume,
+    transform: &impl ToEye,
+    bounds: &BoundingVolume,
+    fit: impl FnOnce(&[[i16; 3]]) -> bool,
+) -> bool {
+    let Some(points) = bounds.points() else { return true };
+    let [center, x, y, z] = points;
+    let halves = || [transform.apply(x), transform.apply(y), transform.apply(z)];
+    fit(&points) && volume.is_beyond(transform.apply(center), halves, bounds.straight())
 }
 
 /// What the vertical coordinate of the first vertex of a model says, beside the mark of a vertex that is off the screen, where
@@ -68,15 +70,15 @@ pub(super) fn faces_left_out<L: Look>(vertices: &[ScreenVertexOf<L>], models: &[
 }
 
 impl Camera {
-    /// Whether anything within a box may be seen in a look `L`, where the box is in a pose: `false` where all of it is beyond
-    /// the near plane, the far plane or one side of the picture. To leave a group of models out together that have a box around
-    /// them, or not to compute what they need; a single model is left out by itself where its shading is
+    /// Whether anything within a box, a sphere or a cylinder may be seen in a look `L`, where it is in a pose: `false` where
+    /// all of it is beyond the near plane, the far plane or one side of the picture. To leave a group of models out together
+    /// that have a box around them, or not to compute what they need; a single model is left out by itself where its shading is
     /// [`Bounded`](crate::shade::Bounded).
     ///
     /// A model that is left out of a scene changes nothing in the picture of the others. Hierarchies may have any depth: a
     /// group that is not seen has no member that is.
     ///
-    /// Cost: the transformation of one to eight vertices, and their comparison with six planes.
+    /// Cost: the transformation of one vertex and its comparison with six planes; where it is beyond one of them, three more.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -99,7 +101,7 @@ impl Camera {
     /// let (mut chairs, mut count) = ([chair; 8], 0);
     /// // One row before the camera, one behind it.
     /// for row in [at(-40, 80), at(-40, -80)] {
-    ///     if camera.may_see::<Rgb565>(&ROW, &row) {
+    ///     if camera.may_see::<Rgb565>(ROW, &row) {
     ///         for number in 0..4 {
     ///             chairs[count] = chair.with_pose(at(30 * number, 0).then(&row)?);
     ///             count += 1;
@@ -111,9 +113,9 @@ impl Camera {
     /// assert_eq!(memory.prepare(&camera, &chairs[..count])?.faces().count(), 4);
     /// # Ok::<(), InputError>(())
     /// ```
-    pub fn may_see<L: Look>(&self, bounds: &BoundingBox, pose: &Pose) -> bool {
+    pub fn may_see<L: Look>(&self, bounds: impl Into<BoundingVolume>, pose: &Pose) -> bool {
         let volume = view_volume::<L>(&projection::<L>(self), self);
         let transform = EyeTransform::<L::Precision>::new(pose, self.pose());
-        !is_beyond(&volume, &transform, bounds)
+        !is_beyond(&volume, &transform, &bounds.into(), |_| true)
     }
 }

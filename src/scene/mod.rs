@@ -58,7 +58,7 @@ mod silhouette_tables;
 mod silhouettes;
 
 pub use crate::{
-    mesh::{BoundingBox, FaceSet},
+    mesh::{BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, FaceSet},
     view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 pub use counters::Counters;

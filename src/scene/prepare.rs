@@ -225,8 +225,8 @@ pub(super) fn affine_transform<H: Shading>(model: &Model<'_, H>, camera: &Camera
         .filter(|transform| transform.fits(model.mesh().vertices()))
 }
 
-/// Whether nothing of a model is seen: it has bounds, which `fit` the numbers of eye space, and all of them are beyond one
-/// plane.
+/// Whether nothing of a model is seen: it has bounds, whose points `fit` the numbers of eye space, and all of them is beyond
+/// one plane.
 #[inline]
 fn is_beyond_bounds<H: Shading>(
     volume: Option<&ViewVolume>,
@@ -235,7 +235,7 @@ fn is_beyond_bounds<H: Shading>(
     fit: impl FnOnce(&[[i16; 3]]) -> bool,
 ) -> bool {
     match (volume, H::bounds(model.skin())) {
-        (Some(volume), Some(bounds)) => fit(&bounds.ends()) && is_beyond(volume, transform, bounds),
+        (Some(volume), Some(bounds)) => is_beyond(volume, transform, &bounds, fit),
         _ => false,
     }
 }

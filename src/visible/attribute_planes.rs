@@ -48,8 +48,8 @@ impl<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> Plane
 }
 
 /// The plane of an attribute of a face that is not small, or where it is steep, from its values at the corners.
-// The corners are looked up once more, and the values handed over one by one, so that those of the many small faces need not be in
-// memory.
+// The corners are looked up once more, and the values handed over one by one, so that those of the many small faces need not be
+// in memory.
 #[cold]
 #[inline(never)]
 fn wide_plane<S: ScreenPrecision, D: DepthWidth, H: Shading>(

@@ -153,11 +153,11 @@ impl SmallFace {
         })
     }
 
-    /// The gradients of a number of the corners, from the top one on, below 2^16 in size and in their differences. `None` where one
-    /// is steeper than 1,024 units a pixel.
+    /// The gradients of a number of the corners, from the top one on, below 2^16 in size and in their differences. `None` where
+    /// one is steeper than 1,024 units a pixel.
     ///
-    /// A gradient is wrong by 5/65,536 at most, and 1,024 columns and rows away the number by 1/6; in a face as large as a display's
-    /// by far less.
+    /// A gradient is wrong by 5/65,536 at most, and 1,024 columns and rows away the number by 1/6; in a face as large as a
+    /// display's by far less.
     #[inline]
     pub(super) fn gradients(
         &self,
@@ -166,8 +166,8 @@ impl SmallFace {
     ) -> Option<SmallPlane> {
         let Self { right, left, area } = *self;
         let (z1, z2) = (right_value - top, left_value - top);
-        // Widths up to 2^14, heights below 2^15 and differences below 2^16, z1 - z2 too: products and their differences are below
-        // 2^31.
+        // Widths up to 2^14, heights below 2^15 and differences below 2^16, z1 - z2 too: products and their differences are
+        // below 2^31.
         let difference = |a: i32, b: i32, c: i32, d: i32| a * b - c * d;
         let numerator_x = difference(z1, left.y, z2, right.y);
         let numerator_y = difference(right.x, z2, left.x, z1);
@@ -261,8 +261,8 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(sides: &Sides, values: [i32; 3]
     }
 }
 
-/// The plane of an attribute of any face, with 16 fractional bits and half a unit above its corners, by long divisions. The sides are
-/// those of rows that begin at column 0.
+/// The plane of an attribute of any face, with 16 fractional bits and half a unit above its corners, by long divisions. The
+/// sides are those of rows that begin at column 0.
 #[cold]
 #[inline(never)]
 pub(super) fn wide_attribute_plane<S: ScreenPrecision>(

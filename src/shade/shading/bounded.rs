@@ -1,4 +1,4 @@
-//! Models with a box around them, which take next to no time where nothing of them is seen.
+//! Models with a box, a sphere or a cylinder around them, which take next to no time where nothing of them is seen.
 
 use core::marker::PhantomData;
 
@@ -6,26 +6,29 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{BoundingBox, FaceSet},
+    mesh::{BoundingBox, BoundingVolume, FaceSet},
     shade::{Planes, Shading},
     surface::BandColor,
     view::{Affine, Camera, Pose},
 };
 
-/// The shading `H` of models with a [`BoundingBox`] each: a model whose box is wholly beyond the near plane, the far plane or
-/// one side of the picture is left out as a whole. None of its vertices is transformed or lit, and none of its faces is looked
-/// at; it has its place in the memory nonetheless. The picture is the same, bit for bit.
+/// The shading `H` of models with bounds each, a [`BoundingBox`] or, as `B`, a [`BoundingSphere`](crate::scene::BoundingSphere)
+/// or a [`BoundingCylinder`](crate::scene::BoundingCylinder): a model whose bounds are wholly beyond the near plane, the far
+/// plane or one side of the picture is left out as a whole. None of its vertices is transformed or lit, and none of its faces
+/// is looked at; it has its place in the memory nonetheless. The picture is the same, bit for bit.
 ///
-/// What a model takes beside its mesh is that of `H` and its box: `(skin, bounds)`, with the box in the unit and the axes of
-/// the vertices ([`FaceSet::bounds`], best in a `const`). What is not within the box may be missing in pictures. In looks
-/// whose faces are not cut ([`Whole`](crate::scene::Whole)) a model that is left out is no error, wherever it is.
+/// What a model takes beside its mesh is that of `H` and its bounds: `(skin, bounds)`, in the unit and the axes of the vertices
+/// ([`FaceSet::bounds`], `BoundingSphere::around`, best in a `const`). What is not within the bounds may be missing in
+/// pictures. In looks whose faces are not cut ([`Whole`](crate::scene::Whole)) a model that is left out is no error, wherever
+/// it is.
 ///
-/// Cost: for a model that is left out, the transformation of eight vertices and their comparison with six planes; for any other
-/// one that of one to eight of them. RAM: 12 bytes a model. A box around several models, as in a hierarchy of them, is
-/// asked for with [`Camera::may_see`].
+/// Cost: for a model that is seen, the transformation of one vertex and its comparison with six planes; for one that is left
+/// out, or reaches into the picture from outside, three vertices more, and how far they reach towards each plane that the first
+/// is beyond. RAM: 12 bytes a model, 10 for a sphere. A box around several models, as in a hierarchy of them, is asked for with
+/// [`Camera::may_see`].
 ///
 /// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Bounded<Gouraud<Rgb565>>>`. With
-/// [`Transformed`](crate::shade::Transformed) in any order; the box is that of the vertices before the map.
+/// [`Transformed`](crate::shade::Transformed) in any order; the bounds are those of the vertices before the map.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -55,11 +58,11 @@ use crate::{
 /// ```
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Bounded<H>(PhantomData<H>);
+pub struct Bounded<H, B = BoundingBox>(PhantomData<(H, B)>);
 
-impl<H: Shading> Shading for Bounded<H> {
+impl<H: Shading, B: Copy + Into<BoundingVolume> + 'static> Shading for Bounded<H, B> {
     type Color = H::Color;
-    type Skin<'a> = (H::Skin<'a>, BoundingBox);
+    type Skin<'a> = (H::Skin<'a>, B);
     type Uniforms = H::Uniforms;
     type Attributes = H::Attributes;
     const TOLERANCE: <H::Attributes as Planes>::Tolerance = H::TOLERANCE;
@@ -142,7 +145,7 @@ impl<H: Shading> Shading for Bounded<H> {
     }
 
     #[inline]
-    fn bounds<'s>((_, bounds): &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
-        Some(bounds)
+    fn bounds((_, bounds): &Self::Skin<'_>) -> Option<BoundingVolume> {
+        Some((*bounds).into())
     }
 }

@@ -24,7 +24,7 @@ use fixed::types::I16F16;
 
 use crate::{
     geometry::{TooSmall, quotient_nearest},
-    mesh::{BoundingBox, FaceSet},
+    mesh::{BoundingVolume, FaceSet},
     shade::{BlendedColor, ChannelColor, Planes, Shading, layout::Layout, shading::perspective::Perspective},
     surface::BandColor,
     view::{Affine, Camera, EyeAxis, Pose},
@@ -170,7 +170,7 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
     const HAS_BOUNDS: bool = H::HAS_BOUNDS;
 
     #[inline]
-    fn bounds<'s>((skin, _): &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+    fn bounds((skin, _): &Self::Skin<'_>) -> Option<BoundingVolume> {
         H::bounds(skin)
     }
 

@@ -45,7 +45,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{BoundingBox, FaceSet},
+    mesh::{BoundingVolume, FaceSet},
     surface::{BandColor, PixelWord},
     view::{Affine, Camera, Pose},
 };
@@ -158,15 +158,15 @@ pub trait Shading: 'static {
     /// are none, nothing is linked for it.
     const BLENDS: bool = false;
 
-    /// Whether the faces of a model are mixed with what is behind them: they are drawn after all others, the farthest fragment of
-    /// a pixel first. Called when rows reach a face.
+    /// Whether the faces of a model are mixed with what is behind them: they are drawn after all others, the farthest fragment
+    /// of a pixel first. Called when rows reach a face.
     #[inline]
     fn is_translucent(_skin: &Self::Skin<'_>) -> bool {
         false
     }
 
-    /// The word of a pixel of a [translucent](Self::is_translucent) face at a position in the picture, from that of its fragment and
-    /// from that behind it, all in the machine's byte order.
+    /// The word of a pixel of a [translucent](Self::is_translucent) face at a position in the picture, from that of its
+    /// fragment and from that behind it, all in the machine's byte order.
     #[inline]
     fn blend(
         _skin: &Self::Skin<'_>,
@@ -216,9 +216,9 @@ pub trait Shading: 'static {
     /// Whether models have [bounds](Self::bounds), as [`Bounded`] ones do. Where they have none, nothing is linked for it.
     const HAS_BOUNDS: bool = false;
 
-    /// The box around the vertices of a model, before any map. Called a few times a model and frame.
+    /// A box, a sphere or a cylinder around the vertices of a model, before any map. Called a few times a model and frame.
     #[inline]
-    fn bounds<'s>(_: &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+    fn bounds(_: &Self::Skin<'_>) -> Option<BoundingVolume> {
         None
     }
 }

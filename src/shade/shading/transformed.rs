@@ -8,7 +8,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{BoundingBox, FaceSet},
+    mesh::{BoundingVolume, FaceSet},
     shade::{Planes, Shading},
     surface::BandColor,
     view::{Affine, Camera, Pose},
@@ -132,7 +132,7 @@ impl<H: Shading> Shading for Transformed<H> {
     }
 
     #[inline]
-    fn bounds<'s>((skin, _): &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+    fn bounds((skin, _): &Self::Skin<'_>) -> Option<BoundingVolume> {
         H::bounds(skin)
     }
 }

@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use crate::{
     coverage::Coverage,
     geometry::TooSmall,
-    mesh::{BoundingBox, FaceSet},
+    mesh::{BoundingVolume, FaceSet},
     shade::{BlendedColor, ChannelColor, Encoded, Planes, Shading},
     surface::{BandColor, LittleEndian, Order},
     view::{Affine, Camera, Pose},
@@ -19,14 +19,14 @@ use crate::{
 /// that of `H` to the bit; one of alpha 0 is not there; others are blended as
 /// [`blend_span`](crate::shade::BlendTarget::blend_span) blends, over all that is behind them.
 ///
-/// The order of models does not matter, and faces may go through each other: in each pixel the farthest fragment is mixed first,
-/// and of equally near ones the first in the order of the models lies over the others. A translucent fragment that is exactly
-/// as near as an opaque one is behind it. What is drawn with the depths of a row afterwards
+/// The order of models does not matter, and faces may go through each other: in each pixel the farthest fragment is mixed
+/// first, and of equally near ones the first in the order of the models lies over the others. A translucent fragment that is
+/// exactly as near as an opaque one is behind it. What is drawn with the depths of a row afterwards
 /// ([`draw_with`](crate::scene::Prepared::draw_with)) is hidden by translucent faces as by others.
 ///
 /// Cost: no row of such a look is drawn without depths. A pixel of a translucent face is visited twice, and twice more for each
-/// other translucent face in front of or behind it within 64 columns; mixing takes some 20 instructions. Memory: none, and up to
-/// 512 bytes of stack. Where faces are drawn in passes ([`rows_in_passes`](crate::scene::Prepared::rows_in_passes)),
+/// other translucent face in front of or behind it within 64 columns; mixing takes some 20 instructions. Memory: none, and up
+/// to 512 bytes of stack. Where faces are drawn in passes ([`rows_in_passes`](crate::scene::Prepared::rows_in_passes)),
 /// translucent ones are set up anew for each of those visits.
 ///
 /// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<Translucent<Gouraud<Rgb565>>>`, within
@@ -139,7 +139,7 @@ impl<H: Shading<Color: ChannelColor>> Shading for Translucent<H> {
     }
 
     #[inline]
-    fn bounds<'s>((skin, _): &'s Self::Skin<'_>) -> Option<&'s BoundingBox> {
+    fn bounds((skin, _): &Self::Skin<'_>) -> Option<BoundingVolume> {
         H::bounds(skin)
     }
 

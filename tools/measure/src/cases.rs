@@ -348,11 +348,12 @@ const LOOKS: &[(&str, &str)] = &[
     ("look.double_sided", "faces seen from both sides"),
 ];
 
-/// Thirty spheres of which five are seen: what boxes around models save.
+/// Thirty spheres of which five are seen: what bounds around models save.
 fn crowds() -> impl Iterator<Item = Case> {
     let boxes = [
         ("crowd.plain", "no boxes"),
         ("crowd.bounded", "boxes that are constants"),
+        ("crowd.spheres", "spheres that are constants"),
         ("crowd.found", "boxes found in each frame"),
     ];
     let parts = [("draw", "", ""), ("prepare", ".prepare", ": preparing alone")];

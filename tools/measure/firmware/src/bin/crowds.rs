@@ -1,5 +1,5 @@
-//! Counts thirty spheres of which five are seen: without boxes around them, with boxes that are constants, and with boxes that
-//! are found anew in each frame.
+//! Counts thirty round models of which five are seen: without bounds, with boxes or spheres that are constants, and with boxes
+//! that are found anew in each frame.
 #![no_std]
 #![no_main]
 
@@ -11,7 +11,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, PictureLoop},
-    scene::{BoundingBox, Camera, Memory, Model, Pose, Rotation},
+    scene::{BoundingBox, BoundingSphere, Camera, Memory, Model, Pose, Rotation},
     shade::{Bounded, Shading},
 };
 use zrow_measure_firmware::{
@@ -23,6 +23,7 @@ use zrow_measure_firmware::{
 use zrow_scenes::meshes::{ICOSPHERE, ICOSPHERE_COLORS};
 
 static BOUNDS: BoundingBox = ICOSPHERE.bounds();
+static SPHERE: BoundingSphere = BoundingSphere::around(ICOSPHERE.vertices());
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
 
 /// Where the spheres are: five side by side before the camera, the others to the left, to the right and behind it.
@@ -124,6 +125,8 @@ fn main() -> ! {
     let wanted = report::wanted(&mut words);
     let plain = cortex_m::singleton!(: Crowd<Rgb565> = Crowd::new(colors));
     let bounded = cortex_m::singleton!(: Crowd<Bounded<Rgb565>> = Crowd::new(|| (colors(), *black_box(&BOUNDS))));
+    let spheres =
+        cortex_m::singleton!(: Crowd<Bounded<Rgb565, BoundingSphere>> = Crowd::new(|| (colors(), *black_box(&SPHERE))));
     let found = cortex_m::singleton!(: Crowd<Bounded<Rgb565>> = Crowd::new(|| {
         // Thirty different meshes would be searched once each.
         let mut bounds = BoundingBox::around(&[]);
@@ -132,13 +135,15 @@ fn main() -> ! {
         }
         (colors(), bounds)
     }));
-    let (Some(peripherals), Some(plain), Some(bounded), Some(found)) = (Peripherals::take(), plain, bounded, found)
+    let (Some(peripherals), Some(plain), Some(bounded), Some(spheres), Some(found)) =
+        (Peripherals::take(), plain, bounded, spheres, found)
     else {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
     count(&mut runner, "crowd.plain", plain);
     count(&mut runner, "crowd.bounded", bounded);
+    count(&mut runner, "crowd.spheres", spheres);
     count(&mut runner, "crowd.found", found);
     report::exit(true)
 }

@@ -9,8 +9,9 @@ use zrow::{
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{
-        Antialiased, BoundingBox, Counted, Counters, Deep, DepthWidth, DoubleSided, FaceSet, Fine, Frame, Look, Memory,
-        Model, OnePass, Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
+        Antialiased, BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Counted, Counters, Deep,
+        DepthWidth, DoubleSided, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Orthographic, Prepared, SceneItem,
+        ScreenPrecision, Unhurried, Whole,
     },
     shade::{
         Bilinear, Blinn, Bounded, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading,
@@ -21,7 +22,7 @@ use zrow_methods::LookOf;
 use zrow_panics_firmware::{any, items, keep, keep_all};
 
 use crate::{
-    foreign::{clone, default, eq},
+    foreign::{clone, default, eq, from},
     shade::{EvenStripes, Stripes},
 };
 
@@ -53,7 +54,8 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<Stripes>,
     shaded::<Transformed<Gouraud<Rgb565>>>,
     shaded::<Bounded<Rgb565>>,
-    look::<Fine<Transformed<Bounded<Gouraud<Rgb565>>>>>,
+    shaded::<Bounded<Rgb565, BoundingSphere>>,
+    look::<Fine<Transformed<Bounded<Gouraud<Rgb565>, BoundingCylinder>>>>,
     look::<Whole<Orthographic<Bounded<Transformed<Foggy<Rgb565>>>>>>,
     look::<Transformed<Rgb565>>,
     look::<Whole<Fine<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>>,
@@ -165,6 +167,14 @@ fn model() {
     keep(BoundingBox::around(any()));
     keep(BoundingBox::joined(any(), any()));
     eq::<BoundingBox>();
+    keep(BoundingSphere::around(any()));
+    eq::<BoundingSphere>();
+    keep(BoundingCylinder::around(any()));
+    eq::<BoundingCylinder>();
+    from::<BoundingBox, BoundingVolume>();
+    from::<BoundingSphere, BoundingVolume>();
+    from::<BoundingCylinder, BoundingVolume>();
+    eq::<BoundingVolume>();
     keep(FaceSet::faces_of(any()));
     keep(Model::<Rgb565>::new(any(), any()));
     keep(Model::<Rgb565>::with_pose(any(), any()));

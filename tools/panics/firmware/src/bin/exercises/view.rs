@@ -1,7 +1,10 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Affine, Camera, DepthWidth, Fine, Orthographic, Pose, Rotation, ScreenPrecision, Whole},
+    scene::{
+        Affine, BoundingBox, BoundingCylinder, BoundingSphere, Camera, DepthWidth, Fine, Orthographic, Pose, Rotation,
+        ScreenPrecision, Whole,
+    },
     shade::Transformed,
 };
 use zrow_panics_firmware::{any, keep};
@@ -39,10 +42,11 @@ fn camera() {
     keep(Camera::with_centre(any(), any()));
     keep(Camera::with_far(any(), any()));
     keep(Camera::near_for::<Rgb565>(any(), any()));
-    keep(Camera::may_see::<Rgb565>(any(), any(), any()));
+    keep(Camera::may_see::<Rgb565>(any(), any::<BoundingBox>(), any()));
+    keep(Camera::may_see::<Rgb565>(any(), any::<BoundingSphere>(), any()));
     keep(Camera::may_see::<Whole<Fine<Orthographic<Rgb565>>>>(
         any(),
-        any(),
+        any::<BoundingCylinder>(),
         any(),
     ));
     keep(Camera::near_for::<Transformed<Rgb565>>(any(), any()));

@@ -1,0 +1,120 @@
+//! What boxes, spheres and cylinders around meshes are in common, when it is told whether they can be seen: a centre, and how
+//! far they reach along three axes.
+//!
+//! ```text
+//!     straight along all axes    along one of them     along none
+//!     +-------+                  .-----.               .---.
+//!     |   c   |                  |  c  |              (  c  )
+//!     +-------+                  '-----'               '---'
+//!     a box                      a cylinder            a sphere
+//! ```
+
+use crate::mesh::{BoundingBox, BoundingCylinder, BoundingSphere, bounding_cylinder::Axis};
+
+/// A [`BoundingBox`], a [`BoundingSphere`] or a [`BoundingCylinder`], made by `into()`: what
+/// [`Shading::bounds`](crate::shade::Shading::bounds) gives, and [`Camera::may_see`](crate::scene::Camera::may_see) takes.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct BoundingVolume {
+    centre: [i16; 3],
+    /// How far it reaches from its centre along x, y and z.
+    halves: [u16; 3],
+    /// Along which of them it is straight; it is round across the others.
+    straight: [bool; 3],
+    is_nothing: bool,
+}
+
+impl BoundingVolume {
+    /// The volume around nothing.
+    const NOTHING: Self = Self {
+        centre: [0; 3],
+        halves: [0; 3],
+        straight: [true; 3],
+        is_nothing: true,
+    };
+
+    /// The centre, and three points half as far from it as the volume reaches along x, y and z, to the side on which the origin
+    /// is; `None` of the volume around nothing.
+    pub(crate) fn points(&self) -> Option<[[i16; 3]; 4]> {
+        if self.is_nothing {
+            return None;
+        }
+        let [x, y, z] = self.centre;
+        let [half_x, half_y, half_z] = self.halves;
+        Some([
+            self.centre,
+            [towards_origin(x, half_x), y, z],
+            [x, towards_origin(y, half_y), z],
+            [x, y, towards_origin(z, half_z)],
+        ])
+    }
+
+    /// Along which of its axes the volume is straight.
+    pub(crate) const fn straight(&self) -> [bool; 3] {
+        self.straight
+    }
+}
+
+/// A coordinate moved towards 0, and maybe beyond, by half of a length, rounded up: half as long, it fits.
+fn towards_origin(coordinate: i16, length: u16) -> i16 {
+    let (coordinate, half) = (i32::from(coordinate), i32::from(length.div_ceil(2)));
+    (if coordinate < 0 {
+        coordinate + half
+    } else {
+        coordinate - half
+    }) as i16
+}
+
+impl From<BoundingBox> for BoundingVolume {
+    fn from(bounds: BoundingBox) -> Self {
+        let (centre, Some(greatest)) = (bounds.middle(), bounds.greatest()) else {
+            return Self::NOTHING;
+        };
+        let ([x, y, z], [x2, y2, z2]) = (centre, greatest);
+        Self {
+            centre,
+            halves: [x2.abs_diff(x), y2.abs_diff(y), z2.abs_diff(z)],
+            straight: [true; 3],
+            is_nothing: false,
+        }
+    }
+}
+
+impl From<BoundingSphere> for BoundingVolume {
+    fn from(sphere: BoundingSphere) -> Self {
+        let BoundingSphere {
+            centre,
+            radius: Some(radius),
+        } = sphere
+        else {
+            return Self::NOTHING;
+        };
+        Self {
+            centre,
+            halves: [radius; 3],
+            straight: [false; 3],
+            is_nothing: false,
+        }
+    }
+}
+
+impl From<BoundingCylinder> for BoundingVolume {
+    fn from(cylinder: BoundingCylinder) -> Self {
+        let BoundingCylinder {
+            centre,
+            half_length,
+            radius,
+            axis: Some(axis),
+        } = cylinder
+        else {
+            return Self::NOTHING;
+        };
+        let straight = [axis == Axis::X, axis == Axis::Y, axis == Axis::Z];
+        Self {
+            centre,
+            halves: straight.map(|is_straight| if is_straight { half_length } else { radius }),
+            straight,
+            is_nothing: false,
+        }
+    }
+}
