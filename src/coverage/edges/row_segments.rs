@@ -88,30 +88,29 @@ fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32)
         let pushed = segments.push(edge.begin_at(index, row));
         debug_assert!(pushed.is_ok(), "there is room for all edges in a row");
     }
-    // Successors that start inside this row, and theirs.
+    // Successors that start inside this row, and theirs; and the next event row. Chains that have not begun begin below this row.
+    let next_row = row + 1;
+    let mut event_row = chains.first_row();
     let mut index = 0usize;
     while let Some(segment) = segments.get(index) {
-        if segment.last_row() == row {
-            let edge = chains.get(segment.edge_index());
-            let successor = edge.and_then(|edge| chains.successor(segment.edge_index(), edge));
-            if let Some((index, successor)) = successor.filter(|(_, successor)| successor.first_row() == row) {
-                let pushed = segments.push(successor.begin_at(index, row));
-                debug_assert!(pushed.is_ok(), "there is room for all edges in a row");
-            }
-        }
         index += 1;
+        let last_row = segment.last_row();
+        if last_row > row {
+            // An edge that begins inside this row does not pass it, but the next one.
+            let event = if segment.y_top > 0 { next_row } else { last_row };
+            event_row = event_row.min(event);
+            continue;
+        }
+        event_row = next_row;
+        let edge = chains.get(segment.edge_index());
+        let successor = edge.and_then(|edge| chains.successor(segment.edge_index(), edge));
+        if let Some((index, successor)) = successor.filter(|(_, successor)| successor.first_row() == row) {
+            let pushed = segments.push(successor.begin_at(index, row));
+            debug_assert!(pushed.is_ok(), "there is room for all edges in a row");
+        }
     }
     sort_by_left(segments);
-    let next_row = row + 1;
-    let event_row = |segment: &RowSegment| {
-        // An edge that begins inside this row does not pass it, but the next one.
-        if segment.y_top > 0 {
-            next_row
-        } else {
-            segment.last_row().max(next_row)
-        }
-    };
-    segments.iter().map(event_row).fold(chains.first_row(), i32::min)
+    event_row
 }
 
 fn sort_by_left(segments: &mut [RowSegment]) {
