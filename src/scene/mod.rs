@@ -41,6 +41,7 @@
 mod clipping;
 mod counters;
 mod culling;
+mod estimate;
 mod faces;
 mod frame;
 mod lens;
@@ -59,6 +60,7 @@ mod silhouettes;
 
 pub use crate::{
     mesh::{BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, FaceSet},
+    shade::InstructionSet,
     view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };
 pub use counters::Counters;

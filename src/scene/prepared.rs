@@ -8,11 +8,13 @@ use crate::{
     scene::{
         Counters, Frame, Look, Model,
         culling::faces_left_out,
+        estimate::RowDrawing,
         faces::{self, ScreenFace},
         frame::ActiveListOf,
         prepared_faces::{PreparedFaces, RowMemory},
         silhouette_tables::SilhouetteTables,
     },
+    shade::InstructionSet,
     surface::Order,
     view::Camera,
     visible::{DepthRow, DepthUse},
@@ -91,7 +93,7 @@ use crate::{
 /// least. All rows are then drawn with depths, and translucent faces are mixed with what was in the band before.
 #[derive(Debug)]
 pub struct Prepared<'f, 'm, L: Look> {
-    faces: PreparedFaces<'f, 'm, L>,
+    pub(super) faces: PreparedFaces<'f, 'm, L>,
     depths: &'f mut [L::Depth],
     silhouettes: SilhouetteTables<'f, L>,
     active: &'f mut ActiveListOf<L>,
@@ -171,6 +173,74 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// frame has room for (`ACTIVE`). The picture is the same; such rows take longer.
     pub const fn rows_in_passes(&self) -> u32 {
         self.active.rows_in_passes()
+    }
+
+    /// Predicts how many instructions of a set drawing all rows of the frame will take, so that a program picks a coarser mesh
+    /// before it draws, or leaves something out. Where this is not called nothing is linked for it.
+    ///
+    /// Counted are the rows that [`PictureLoop`](crate::band::PictureLoop) draws in bands of one row and fills with a
+    /// background before; not what the sink does with them, and not what preparing the frame took. The weights were found on
+    /// emulated chips, for code at opt-level 3 with link-time optimization, one codegen unit and no overflow checks; other
+    /// settings take another multiple of it. The mean of a turn is within 15 % in every scene that `cargo run --release --
+    /// measure --only estimate` counts, those among them that no weight was fitted to; a single frame may be off by more.
+    ///
+    /// - Whether faces overlap, so that a row needs depths, shows when it is drawn: a frame is predicted to be as the last one
+    ///   that was drawn in the same memory, the first one to need depths. A frame in which that changes may be off by a half.
+    /// - All pixels of faces are predicted to be seen. Those that others hide take less: much less where textures are mixed, or
+    ///   in fog.
+    /// - [Rows in passes](Self::rows_in_passes) may be off by a third, and so may translucent faces, of which several are seen
+    ///   through each other. Two faces that have the same depth in many pixels take more than is predicted.
+    ///
+    /// Cost: some 110 instructions for each face to be drawn, of a first model with more than 256 faces for every fourth one,
+    /// and some 20 a row and each face that is left out of that. On a Cortex-M4 that is 24,500 for a teapot of 992 faces at 240
+    /// x 320, 4 % of its frame in one colour a face; twice as many where attributes are divided or silhouettes are antialiased.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     geometry::InputError,
+    ///     scene::{Camera, FaceSet, InstructionSet, Memory, Model},
+    /// };
+    ///
+    /// const VERTICES: [[i16; 3]; 5] = [[-512, -512, 0], [-512, 512, 0], [512, 512, 0], [512, -512, 0], [0, 0, -256]];
+    /// /// A pyramid, and its base: levels of detail with the same vertices, as `--levels` writes them.
+    /// const LEVELS: [&[[u16; 3]]; 2] = [&[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]], &[[0, 1, 2], [0, 2, 3]]];
+    /// /// A frame shall take 50,000 instructions at most.
+    /// const BUDGET: u32 = 50_000;
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let mut memory = Memory::<Rgb565, 5, 4, 64, 64>::new();
+    /// let mut words = [0; 64 * 64];
+    /// let mut drawn = [0; 2];
+    /// for distance in [600, 1000, 2000] {
+    ///     for (level, faces) in LEVELS.iter().enumerate() {
+    ///         let mut model = Model::new(FaceSet::new(&VERTICES, faces)?, &[Rgb565::RED; 4])?;
+    ///         model.pose.translation = [0, 0, distance].map(I16F16::from_num);
+    ///         let models = [model];
+    ///         let mut scene = memory.prepare(&camera, &models)?;
+    ///         let is_coarsest = level + 1 == LEVELS.len();
+    ///         if is_coarsest || scene.estimate(InstructionSet::Armv7M) <= BUDGET {
+    ///             scene.draw(&mut Band::<Rgb565>::new(area, &mut words)?);
+    ///             drawn[level] += 1;
+    ///             break;
+    ///         }
+    ///     }
+    /// }
+    /// assert_eq!(drawn, [2, 1]);
+    /// # Ok::<(), InputError>(())
+    /// ```
+    pub fn estimate(&self, set: InstructionSet) -> u32 {
+        let drawing = if L::DRAWS_IN_PASSES && self.active.needs_passes() {
+            RowDrawing::InPasses(self.active.capacity())
+        } else if self.active.is_disjoint() {
+            RowDrawing::Disjoint
+        } else {
+            RowDrawing::WithDepths
+        };
+        self.faces.estimate(set, drawing)
     }
 
     /// How many vertices the frame took: those of the models, and of the fragments of faces that were cut. With so many for

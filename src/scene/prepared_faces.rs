@@ -45,7 +45,7 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     pub(super) vertices: &'f [ScreenVertex<L::Precision, L::Depth>],
     attributes: &'f [AttributesOf<L>],
     next: &'f [u16],
-    rows: &'f [RowStart],
+    pub(super) rows: &'f [RowStart],
     pub(super) models: &'f [Model<'m, L::Shading>],
     /// The faces of the first model, its skin and its uniforms.
     pub(super) first_faces: &'f [[u16; 3]],
@@ -180,7 +180,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     /// The corners of a fragment.
     #[cold]
     #[inline(never)]
-    fn fragment(&self, node: u16) -> Option<[&ScreenVertex<L::Precision, L::Depth>; 3]> {
+    pub(super) fn fragment(&self, node: u16) -> Option<[&ScreenVertex<L::Precision, L::Depth>; 3]> {
         let start = usize::from(node & !FRAGMENT) + 1;
         self.vertices
             .get(start..)?

@@ -88,7 +88,7 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
 
     /// The corners of a whole face in the order of its mesh.
     #[inline]
-    fn corners_in_mesh(&self, node: u16) -> Option<[&ScreenVertexOf<L>; 3]> {
+    pub(super) fn corners_in_mesh(&self, node: u16) -> Option<[&ScreenVertexOf<L>; 3]> {
         if let Some(face) = self.first_faces.get(usize::from(node)) {
             return corners(self.vertices, face);
         }

@@ -14,6 +14,7 @@
 mod blend;
 mod blend_target;
 mod channel_color;
+mod instruction_set;
 pub(crate) mod layout;
 mod ordered_dither;
 mod ordered_threshold;
@@ -29,15 +30,16 @@ pub(crate) use blend_target::BatchBlend;
 pub use blend_target::BlendTarget;
 pub use channel_color::ChannelColor;
 pub(crate) use channel_color::{BlendedColor, blend_words};
+pub use instruction_set::InstructionSet;
 pub(crate) use ordered_dither::dither;
 pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp};
 pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
+pub(crate) use shading::{AttributeInstructions, Flat, PlaneSource, Planes, Run, Shade, SpanPosition};
 pub use shading::{
     Attributes, Blinn, Bounded, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Lambert,
     Lighting, LitTextured, LitTexturedSkin, Perspective, PointLight, ReflectedLight, Shading, Textured, TexturedSkin,
     Transformed, Translucent, TwoSided,
 };
-pub(crate) use shading::{Flat, PlaneSource, Planes, Run, Shade, SpanPosition};
 pub(crate) use span_blender::SpanBlender;
 pub use texture::{Bilinear, Clamped, CutOut, Indexed, IndexedImage, Sampler, Texels, Texture};

@@ -100,6 +100,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.back_off_frames = self.back_off_frames.saturating_sub(1);
     }
 
+    /// Whether the row that was drawn last had no depths.
+    pub(crate) const fn is_disjoint(&self) -> bool {
+        self.disjoint
+    }
+
     pub(crate) const fn rows_without_depth(&self) -> u32 {
         self.rows_without_depth
     }

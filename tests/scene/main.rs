@@ -17,6 +17,7 @@ mod clipped_faces;
 mod counters;
 mod depth_row;
 mod double_sided;
+mod estimates;
 mod flight;
 mod fog;
 mod holes;

@@ -8,6 +8,7 @@ use core::{
 use crate::{
     clip::convex::CutAttributes,
     geometry::{ScreenPlane, quotient_nearest},
+    shade::InstructionSet,
 };
 
 /// What a vertex has beside its position, which varies over faces: nothing (`()`), some 16-bit numbers (`[i16; N]`), which vary
@@ -40,6 +41,16 @@ pub trait Planes: CutAttributes {
     /// space may be wrong by `tolerance` units.
     fn set_up(planes: &mut Self::Planes, corners: [&Self; 3], face: &impl PlaneSource, tolerance: Self::Tolerance);
 
+    /// How many instructions of a set attributes take.
+    fn instructions(set: InstructionSet) -> AttributeInstructions;
+
+    /// Whether attributes of the corners of a face that is seen in perspective step evenly along its spans: the depths of the
+    /// corners are 32-bit fractions.
+    #[inline]
+    fn are_nearly_even(_corners: [&Self; 3], _depths: [u32; 3], _tolerance: Self::Tolerance) -> bool {
+        true
+    }
+
     /// Whether the attributes step evenly along whole spans of the face.
     fn are_even(planes: &Self::Planes) -> bool;
 
@@ -54,6 +65,20 @@ pub trait Planes: CutAttributes {
 
     /// Limits attributes to those of the corners of a face, for pixels beside it.
     fn clamp(values: &mut Self::Values, corners: [&Self; 3]);
+}
+
+/// How many instructions attributes take beside those that a face without takes.
+#[derive(Debug, Copy, Clone, Default)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct AttributeInstructions {
+    /// Of a face, whose planes are set up.
+    pub face: u32,
+    /// Of a row of a face.
+    pub span: u32,
+    /// Of a pixel.
+    pub pixel: u32,
+    /// What a face takes beside that where attributes are divided by the depth: the face, a row and a pixel of it.
+    pub divided: [u32; 3],
 }
 
 /// Where in a span attributes are asked for.
@@ -118,6 +143,11 @@ impl Planes for () {
     const NO_PLANES: () = ();
 
     #[inline]
+    fn instructions(_: InstructionSet) -> AttributeInstructions {
+        AttributeInstructions::default()
+    }
+
+    #[inline]
     fn set_up((): &mut (), _: [&(); 3], _: &impl PlaneSource, (): ()) {}
 
     #[inline]
@@ -180,6 +210,17 @@ impl<const N: usize> Planes for [i16; N] {
     const EXACT: u16 = 0;
     const VARY: bool = true;
     const NO_PLANES: [ScreenPlane; N] = [ScreenPlane::ZERO; N];
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> AttributeInstructions {
+        let number = N as u32;
+        AttributeInstructions {
+            face: number * set.of([207, 85]),
+            span: number * set.of([3, 9]),
+            pixel: number * set.of([4, 2]),
+            divided: [0; 3],
+        }
+    }
 
     #[inline]
     fn set_up(planes: &mut [ScreenPlane; N], [a, b, c]: [&Self; 3], face: &impl PlaneSource, _: u16) {
@@ -256,6 +297,24 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
     const EXACT: Self::Tolerance = (A::EXACT, B::EXACT);
     const VARY: bool = A::VARY || B::VARY;
     const NO_PLANES: Self::Planes = (A::NO_PLANES, B::NO_PLANES);
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> AttributeInstructions {
+        let (first, second) = (A::instructions(set), B::instructions(set));
+        let [face, span, pixel] = first.divided;
+        let [second_face, second_span, second_pixel] = second.divided;
+        AttributeInstructions {
+            face: first.face + second.face,
+            span: first.span + second.span,
+            pixel: first.pixel + second.pixel,
+            divided: [face + second_face, span + second_span, pixel + second_pixel],
+        }
+    }
+
+    #[inline]
+    fn are_nearly_even([a, b, c]: [&Self; 3], depths: [u32; 3], (first, second): Self::Tolerance) -> bool {
+        A::are_nearly_even([&a.0, &b.0, &c.0], depths, first) && B::are_nearly_even([&a.1, &b.1, &c.1], depths, second)
+    }
 
     #[inline]
     fn set_up(

@@ -17,10 +17,13 @@ use core::num::NonZeroU32;
 use fixed::types::U0F16;
 
 use crate::{
-    shade::shading::{
-        lambert::{Lambert, ModelLights},
-        lighting::{FULL, LIGHT_BITS, Lighting, ReflectedLight},
-        point_light::{POSITION_BITS, Way, in_model},
+    shade::{
+        InstructionSet,
+        shading::{
+            lambert::{Lambert, ModelLights},
+            lighting::{FULL, LIGHT_BITS, Lighting, ReflectedLight},
+            point_light::{POSITION_BITS, Way, in_model},
+        },
     },
     view::{Camera, Pose},
 };
@@ -59,6 +62,12 @@ pub struct MirroredLights<const LIGHTS: usize, const POINTS: usize> {
 
 impl<const LIGHTS: usize, const POINTS: usize> Lighting for Blinn<LIGHTS, POINTS> {
     type OfModel = MirroredLights<LIGHTS, POINTS>;
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        let highlights = ((LIGHTS + POINTS) as u32).saturating_mul(set.of([2_100, 270]));
+        Lambert::<LIGHTS, POINTS>::instructions(set).saturating_add(highlights)
+    }
 
     fn seen_from(&self, pose: &Pose, camera: &Camera) -> MirroredLights<LIGHTS, POINTS> {
         MirroredLights {

@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use crate::{
     geometry::TooSmall,
     mesh::{BoundingBox, BoundingVolume, FaceSet},
-    shade::{Planes, Shading},
+    shade::{InstructionSet, Planes, Shading},
     surface::BandColor,
     view::{Affine, Camera, Pose},
 };
@@ -91,6 +91,11 @@ impl<H: Shading, B: Copy + Into<BoundingVolume> + 'static> Shading for Bounded<H
         face: usize,
     ) -> Option<<H::Color as BandColor>::Word> {
         H::face(skin, uniforms, mesh, face)
+    }
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        H::instructions(set)
     }
 
     #[inline(always)]

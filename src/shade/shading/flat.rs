@@ -3,7 +3,7 @@
 use crate::{
     geometry::TooSmall,
     mesh::FaceSet,
-    shade::{Shade, Shading},
+    shade::{InstructionSet, Shade, Shading},
     surface::BandColor,
     view::{Camera, Pose},
 };
@@ -32,6 +32,11 @@ impl<C: BandColor> Shading for C {
     #[inline]
     fn face(colors: &&[C], (): &(), _: &FaceSet<'_>, face: usize) -> Option<C::Word> {
         colors.get(face).map(|color| color.to_word())
+    }
+
+    #[inline]
+    fn instructions(_: InstructionSet) -> [u32; 2] {
+        [0; 2]
     }
 
     #[inline]

@@ -11,7 +11,7 @@ use crate::{
     geometry::TooSmall,
     mesh::{FaceSet, normal, unit_normal},
     shade::{
-        ChannelColor, Shading,
+        ChannelColor, InstructionSet, Shading,
         layout::{Channel, Channels, Layout},
         shading::{
             lambert::Lambert,
@@ -87,6 +87,11 @@ impl<C: ChannelColor, L: Lighting> Shading for FlatLit<C, L> {
             [0; 3]
         };
         skin.lit_face(face, L::reflected(lights, normal, position))
+    }
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        [L::instructions(set).saturating_add(set.of([110, 65])), 0]
     }
 
     #[inline]

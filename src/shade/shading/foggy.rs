@@ -25,7 +25,9 @@ use fixed::types::I16F16;
 use crate::{
     geometry::{TooSmall, quotient_nearest},
     mesh::{BoundingVolume, FaceSet},
-    shade::{BlendedColor, ChannelColor, Planes, Shading, layout::Layout, shading::perspective::Perspective},
+    shade::{
+        BlendedColor, ChannelColor, InstructionSet, Planes, Shading, layout::Layout, shading::perspective::Perspective,
+    },
     surface::BandColor,
     view::{Affine, Camera, EyeAxis, Pose},
 };
@@ -207,6 +209,12 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
         face: usize,
     ) -> Option<<Self::Color as BandColor>::Word> {
         H::face(skin, &uniforms.within, mesh, face)
+    }
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        let [face, fragment] = H::instructions(set);
+        [face, fragment.saturating_add(set.of([26, 19]))]
     }
 
     #[inline(always)]

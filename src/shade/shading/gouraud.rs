@@ -14,7 +14,7 @@ use crate::{
     geometry::TooSmall,
     mesh::{FaceSet, normal, unit_normal},
     shade::{
-        ChannelColor, Shading,
+        ChannelColor, InstructionSet, Shading,
         layout::{Channel, Channels, Layout},
         shading::{
             lambert::Lambert,
@@ -82,6 +82,11 @@ impl<C: ChannelColor, L: Lighting> Shading for Gouraud<C, L> {
         skin.lit_vertex(vertex, |bytes| {
             L::reflected(lights, normals.unit_vector(normal(bytes)), position)
         })
+    }
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        [0, set.of([25, 7])]
     }
 
     #[inline(always)]

@@ -6,9 +6,12 @@ use fixed::types::{I16F16, U0F16};
 
 use crate::{
     geometry::InputError,
-    shade::shading::{
-        lighting::{FULL, Lighting, ReflectedLight},
-        point_light::{ModelPoint, PointLight, in_model},
+    shade::{
+        InstructionSet,
+        shading::{
+            lighting::{FULL, Lighting, ReflectedLight},
+            point_light::{ModelPoint, PointLight, in_model},
+        },
     },
     view::{Camera, Pose},
 };
@@ -98,6 +101,13 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Lambert<LIGHTS, POIN
     type OfModel = ModelLights<LIGHTS, POINTS>;
     const NEEDS_NORMALS: bool = LIGHTS + POINTS > 0;
     const NEEDS_POSITIONS: bool = POINTS > 0;
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        (LIGHTS as u32)
+            .saturating_mul(set.of([30, 25]))
+            .saturating_add((POINTS as u32).saturating_mul(set.of([790, 175])))
+    }
 
     fn seen_from(&self, pose: &Pose, _: &Camera) -> ModelLights<LIGHTS, POINTS> {
         let to_model = pose.rotation.inverse();

@@ -2,7 +2,10 @@
 
 use core::fmt::Debug;
 
-use crate::view::{Camera, Pose};
+use crate::{
+    shade::InstructionSet,
+    view::{Camera, Pose},
+};
 
 /// Lights, and how a surface reflects them: [`Lambert`](crate::shade::Lambert), [`Blinn`](crate::shade::Blinn), or one of the
 /// program's own.
@@ -20,6 +23,14 @@ pub trait Lighting: Copy + Debug + 'static {
     /// The light that the surface at a position of a model reflects, from its normal of length 1 with 14 fractional bits.
     /// Called once a vertex and frame, or once a face and frame.
     fn reflected(lights: &Self::OfModel, normal: [i32; 3], position: [i32; 3]) -> ReflectedLight;
+
+    /// How many instructions of a set [`reflected`](Self::reflected) takes, for
+    /// [`Prepared::estimate`](crate::scene::Prepared::estimate). If this says nothing else, it is as plain as light from a
+    /// direction.
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        set.of([30, 25])
+    }
 }
 
 /// Light that a surface reflects, in units of 1/32,768: from 0 to 32,768.

@@ -10,7 +10,7 @@ use crate::{
     geometry::TooSmall,
     mesh::{FaceSet, normal, unit_normal},
     shade::{
-        BlendedColor, ChannelColor, Sampler, Shading, Texture,
+        BlendedColor, ChannelColor, InstructionSet, Sampler, Shading, Texture,
         layout::Layout,
         shading::{
             lambert::Lambert,
@@ -118,6 +118,11 @@ where
         Perspective(skin.lit_vertex(vertex, |bytes| {
             L::reflected(lights, normals.unit_vector(normal(bytes)), position)
         }))
+    }
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        [0, T::instructions(set).saturating_add(set.of([15, 10]))]
     }
 
     #[inline(always)]

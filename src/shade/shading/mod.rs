@@ -24,7 +24,7 @@ mod translucent;
 mod two_sided;
 
 pub use attributes::Attributes;
-pub(crate) use attributes::{PlaneSource, Planes, Run, SpanPosition};
+pub(crate) use attributes::{AttributeInstructions, PlaneSource, Planes, Run, SpanPosition};
 pub use blinn::Blinn;
 pub use bounded::Bounded;
 pub(crate) use flat::Flat;
@@ -46,6 +46,7 @@ use embedded_graphics::geometry::Point;
 use crate::{
     geometry::TooSmall,
     mesh::{BoundingVolume, FaceSet},
+    shade::InstructionSet,
     surface::{BandColor, PixelWord},
     view::{Affine, Camera, Pose},
 };
@@ -153,6 +154,14 @@ pub trait Shading: 'static {
         face: <Self::Color as BandColor>::Word,
         attributes: &<Self::Attributes as Planes>::Values,
     ) -> Option<<Self::Color as BandColor>::Word>;
+
+    /// How many instructions of a set [`face`](Self::face) takes, and how many [`fragment`](Self::fragment), for
+    /// [`Prepared::estimate`](crate::scene::Prepared::estimate). If this says nothing else, a fragment is as plain as a word
+    /// that is put together from one attribute.
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        [0, set.of([16, 8])]
+    }
 
     /// Whether there may be models whose fragments are mixed with what is behind them, as [`Translucent`] ones are. Where there
     /// are none, nothing is linked for it.

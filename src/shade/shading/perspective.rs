@@ -28,7 +28,10 @@ use core::num::Wrapping;
 use crate::{
     clip::convex::CutAttributes,
     geometry::{ScreenPlane, leading_zeros, multiply_shift, reciprocal_32},
-    shade::shading::attributes::{Attributes, PlaneSource, Planes, Run, SpanPosition, clamp},
+    shade::{
+        InstructionSet,
+        shading::attributes::{AttributeInstructions, Attributes, PlaneSource, Planes, Run, SpanPosition, clamp},
+    },
 };
 
 /// Attributes that vary evenly in space: `N` 16-bit numbers a vertex, divided by the depth at every 16th pixel of a span at
@@ -85,6 +88,26 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         base: [0; N],
         exponent: None,
     };
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> AttributeInstructions {
+        let (number, parts) = (N as u32, 16 / STEP.clamp(1, 16) as u32);
+        AttributeInstructions {
+            face: set.of([190, 96]) + number * set.of([233, 73]),
+            span: number * set.of([3, 9]),
+            pixel: number * set.of([4, 2]),
+            divided: [
+                set.of([900, 100]) + number * set.of([467, 50]),
+                set.of([167, 130]) + number * set.of([100, 45]),
+                parts * (set.of([3, 0]) + number * set.of([6, 1])),
+            ],
+        }
+    }
+
+    #[inline]
+    fn are_nearly_even([a, b, c]: [&Self; 3], depths: [u32; 3], tolerance: u16) -> bool {
+        is_nearly_even([&a.0, &b.0, &c.0], depths, tolerance)
+    }
 
     fn set_up(set_up: &mut PerspectivePlanes<N>, [a, b, c]: [&Self; 3], face: &impl PlaneSource, tolerance: u16) {
         let corners = [&a.0, &b.0, &c.0];

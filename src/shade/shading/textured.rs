@@ -13,7 +13,7 @@ use crate::{
     geometry::TooSmall,
     mesh::FaceSet,
     shade::{
-        Sampler, Shading, Texture,
+        InstructionSet, Sampler, Shading, Texture,
         shading::perspective::Perspective,
         texture::{ImageOf, tolerance},
     },
@@ -77,6 +77,11 @@ impl<T: Sampler, const STEP: i32> Shading for Textured<T, STEP> {
     #[inline]
     fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, _: [i32; 3]) -> Perspective<2, STEP> {
         Perspective(skin.coordinates.get(vertex).copied().unwrap_or_default())
+    }
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        [0, T::instructions(set)]
     }
 
     #[inline(always)]

@@ -9,7 +9,7 @@ use embedded_graphics::geometry::Point;
 use crate::{
     geometry::TooSmall,
     mesh::{BoundingVolume, FaceSet},
-    shade::{Planes, Shading},
+    shade::{InstructionSet, Planes, Shading},
     surface::BandColor,
     view::{Affine, Camera, Pose},
 };
@@ -100,6 +100,11 @@ impl<H: Shading> Shading for Transformed<H> {
         face: usize,
     ) -> Option<<H::Color as BandColor>::Word> {
         H::transformed_face(skin, uniforms, [affine, normals], mesh, face)
+    }
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        H::instructions(set)
     }
 
     #[inline(always)]

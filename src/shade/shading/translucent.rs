@@ -8,7 +8,7 @@ use crate::{
     coverage::Coverage,
     geometry::TooSmall,
     mesh::{BoundingVolume, FaceSet},
-    shade::{BlendedColor, ChannelColor, Encoded, Planes, Shading},
+    shade::{BlendedColor, ChannelColor, Encoded, InstructionSet, Planes, Shading},
     surface::{BandColor, LittleEndian, Order},
     view::{Affine, Camera, Pose},
 };
@@ -109,6 +109,11 @@ impl<H: Shading<Color: ChannelColor>> Shading for Translucent<H> {
             return None;
         }
         H::face(skin, uniforms, mesh, face)
+    }
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> [u32; 2] {
+        H::instructions(set)
     }
 
     #[inline(always)]

@@ -6,9 +6,12 @@
 //! OpenGL (Segal, Akeley 1994).
 
 use crate::{
-    shade::shading::{
-        lighting::{Lighting, ReflectedLight},
-        point_light::{POSITION_BITS, in_model},
+    shade::{
+        InstructionSet,
+        shading::{
+            lighting::{Lighting, ReflectedLight},
+            point_light::{POSITION_BITS, in_model},
+        },
     },
     view::{Camera, Pose},
 };
@@ -63,6 +66,11 @@ impl<L: Lighting> Lighting for TwoSided<L> {
     type OfModel = (L::OfModel, [i32; 3]);
     const NEEDS_NORMALS: bool = L::NEEDS_NORMALS;
     const NEEDS_POSITIONS: bool = L::NEEDS_NORMALS || L::NEEDS_POSITIONS;
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        L::instructions(set).saturating_add(set.of([200, 60]))
+    }
 
     fn seen_from(&self, pose: &Pose, camera: &Camera) -> Self::OfModel {
         (

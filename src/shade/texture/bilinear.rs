@@ -19,7 +19,7 @@ use core::marker::PhantomData;
 
 use crate::{
     shade::{
-        ChannelColor,
+        ChannelColor, InstructionSet,
         layout::Layout,
         texture::{COORDINATE_BITS, Sampler, Texture, WordOf},
     },
@@ -37,6 +37,11 @@ const FRACTION_BITS: u32 = 5;
 
 impl<T: Texture<Color: ChannelColor>> Sampler for Bilinear<T> {
     type Texture = T;
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        T::instructions(set).saturating_mul(4).saturating_add(set.of([67, 32]))
+    }
 
     #[inline(always)]
     fn sample(image: &T::Image<'_>, coordinates: [i32; 2]) -> Option<WordOf<T>> {

@@ -2,7 +2,10 @@
 
 use core::marker::PhantomData;
 
-use crate::shade::texture::{Texture, WordOf};
+use crate::shade::{
+    InstructionSet,
+    texture::{Texture, WordOf},
+};
 
 /// The [`Texture`] `T` that ends in the texels at its edges: beyond them, these go on for ever.
 #[derive(Debug)]
@@ -14,6 +17,11 @@ impl<T: Texture> Texture for Clamped<T> {
     type Image<'a> = T::Image<'a>;
     const COLUMN_BITS: u32 = T::COLUMN_BITS;
     const ROW_BITS: u32 = T::ROW_BITS;
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        T::instructions(set).saturating_add(set.of([10, 8]))
+    }
 
     #[inline(always)]
     fn texel(image: &Self::Image<'_>, column: u32, row: u32) -> Option<WordOf<T>> {

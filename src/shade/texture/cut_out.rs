@@ -3,7 +3,10 @@
 use core::marker::PhantomData;
 
 use crate::{
-    shade::texture::{Indexed, IndexedImage, Texture},
+    shade::{
+        InstructionSet,
+        texture::{Indexed, IndexedImage, Texture},
+    },
     surface::BandColor,
 };
 
@@ -20,6 +23,11 @@ impl<C: BandColor, const BYTES: usize, const HEIGHT: usize, const COLORS: usize>
     type Image<'a> = IndexedImage<'a, C, BYTES, HEIGHT, COLORS>;
     const COLUMN_BITS: u32 = Indexed::<C, BYTES, HEIGHT, COLORS>::COLUMN_BITS;
     const ROW_BITS: u32 = Indexed::<C, BYTES, HEIGHT, COLORS>::ROW_BITS;
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        set.of([22, 11])
+    }
 
     #[inline(always)]
     fn texel(image: &Self::Image<'_>, column: u32, row: u32) -> Option<C::Word> {

@@ -5,7 +5,10 @@
 use core::marker::PhantomData;
 
 use crate::{
-    shade::texture::{Texture, bits_of},
+    shade::{
+        InstructionSet,
+        texture::{Texture, bits_of},
+    },
     surface::BandColor,
 };
 
@@ -77,6 +80,11 @@ impl<C: BandColor, const BYTES: usize, const HEIGHT: usize, const COLORS: usize>
     type Image<'a> = IndexedImage<'a, C, BYTES, HEIGHT, COLORS>;
     const COLUMN_BITS: u32 = bits_of(BYTES) + Self::TEXELS_IN_BYTE;
     const ROW_BITS: u32 = bits_of(HEIGHT);
+
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        set.of([18, 11])
+    }
 
     #[inline(always)]
     fn texel(image: &Self::Image<'_>, column: u32, row: u32) -> Option<C::Word> {

@@ -17,7 +17,7 @@ pub use cut_out::CutOut;
 pub use indexed::{Indexed, IndexedImage};
 pub use texels::Texels;
 
-use crate::surface::BandColor;
+use crate::{shade::InstructionSet, surface::BandColor};
 
 /// A picture of a sampler's texture.
 pub(super) type ImageOf<'a, T> = <<T as Sampler>::Texture as Texture>::Image<'a>;
@@ -42,6 +42,13 @@ pub trait Texture: 'static {
     /// texel, modulo width and height. Called at least once a pixel.
     fn texel(image: &Self::Image<'_>, column: u32, row: u32) -> Option<WordOf<Self>>;
 
+    /// How many instructions of a set [`texel`](Self::texel) takes, for
+    /// [`Prepared::estimate`](crate::scene::Prepared::estimate).
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        set.of([10, 6])
+    }
+
     /// The column of the texture that a column of the plane shows, which the texture covers by repetition if this says nothing
     /// else.
     #[inline(always)]
@@ -64,6 +71,13 @@ pub trait Sampler: 'static {
     /// The word at texture coordinates in 1/4,096 of the texture with 16 fractional bits, u to the right, v down; `None` for a
     /// hole.
     fn sample(image: &<Self::Texture as Texture>::Image<'_>, coordinates: [i32; 2]) -> Option<WordOf<Self::Texture>>;
+
+    /// How many instructions of a set [`sample`](Self::sample) takes, for
+    /// [`Prepared::estimate`](crate::scene::Prepared::estimate). If this says nothing else, it takes one texel.
+    #[inline]
+    fn instructions(set: InstructionSet) -> u32 {
+        <Self::Texture as Texture>::instructions(set).saturating_add(set.of([18, 9]))
+    }
 }
 
 impl<T: Texture> Sampler for T {

@@ -10,8 +10,8 @@ use zrow::{
     geometry::{Sub4, Sub8},
     scene::{
         Antialiased, BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Counted, Counters, Deep,
-        DepthWidth, DoubleSided, FaceSet, Fine, Frame, Look, Memory, Model, OnePass, Orthographic, Prepared, SceneItem,
-        ScreenPrecision, Unhurried, Whole,
+        DepthWidth, DoubleSided, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model, OnePass, Orthographic,
+        Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
     shade::{
         Bilinear, Blinn, Bounded, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading,
@@ -108,6 +108,7 @@ fn look<L: Look>() {
     keep(Prepared::<L>::rows_in_passes(any()));
     keep(Prepared::<L>::active_needed(any()));
     keep(Prepared::<L>::vertices_needed(any()));
+    keep(Prepared::<L>::estimate(any(), any()));
     keep_all(Prepared::<L>::faces(any()));
 }
 
@@ -123,6 +124,8 @@ fn counted() {
     keep(Prepared::<Counted<Rgb565>>::counters(any()));
     default::<Counters>();
     eq::<Counters>();
+    eq::<InstructionSet>();
+    clone::<InstructionSet>();
 }
 
 #[inline(never)]

@@ -236,6 +236,7 @@ fn shading<H: Shading>() {
     keep(<H as Shading>::vertex(any(), any(), any(), any()));
     keep(<H as Shading>::face(any(), any(), any(), any()));
     keep(<H as Shading>::fragment(any(), any(), any()));
+    keep(<H as Shading>::instructions(any()));
     keep(<H as Shading>::affine(any()));
     keep(<H as Shading>::transformed_vertex(any(), any(), any(), any(), any()));
     keep(<H as Shading>::transformed_face(any(), any(), any(), any(), any()));
@@ -249,6 +250,7 @@ fn shading<H: Shading>() {
 fn lighting<L: Lighting>() {
     keep(<L as Lighting>::seen_from(any(), any(), any()));
     keep(<L as Lighting>::reflected(any(), any(), any()));
+    keep(<L as Lighting>::instructions(any()));
     keep(L::NEEDS_NORMALS);
     keep(L::NEEDS_POSITIONS);
 }
@@ -256,6 +258,7 @@ fn lighting<L: Lighting>() {
 #[inline(never)]
 fn texture<T: Texture<Color: ChannelColor>>() {
     keep(<T as Texture>::texel(any(), any(), any()));
+    keep(<T as Texture>::instructions(any()));
     keep(<T as Texture>::column(any()));
     keep(<T as Texture>::row(any()));
     sampler::<T>();
@@ -265,6 +268,7 @@ fn texture<T: Texture<Color: ChannelColor>>() {
 #[inline(never)]
 fn sampler<T: Sampler>() {
     keep(<T as Sampler>::sample(any(), any()));
+    keep(<T as Sampler>::instructions(any()));
 }
 
 /// A program's own shading, in perspective.
