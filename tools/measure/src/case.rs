@@ -27,6 +27,12 @@ pub const RASTERIZERS: Build = Build {
 /// What their program calls them.
 pub const RASTERIZER_VARIANTS: [&str; 3] = ["zeno", "ab_glyph_rasterizer", "tiny_skia"];
 
+/// The program that counts what is predicted.
+pub const ESTIMATES: &str = "estimates";
+
+/// How far a prediction may be from what was counted, as a part of that.
+const PREDICTION_ERROR: f64 = 0.15;
+
 /// One figure to be measured.
 #[derive(Clone, Debug)]
 pub struct Case {
@@ -49,6 +55,10 @@ pub enum Source {
         variant: &'static str,
         peer: Peer,
     },
+    /// Instructions that `Prepared::estimate` predicts for drawing a scene, beside those that it takes.
+    Prediction { count: &'static str },
+    /// Instructions of predicting.
+    PredictionCost { count: &'static str },
     /// Bytes that a program takes.
     Memory { build: Build, what: What },
     /// Bytes of row memory, which follow from types.
@@ -165,6 +175,12 @@ impl Case {
                     _ => vec![zrow],
                 }
             }
+            Source::Prediction { .. } | Source::PredictionCost { .. } => vec![Build {
+                target: self.target,
+                level: Level::Speed,
+                content: None,
+                firmware: ESTIMATES,
+            }],
             Source::Memory {
                 build,
                 what: What::NetFlash(baseline),
@@ -191,7 +207,8 @@ impl Case {
     /// What it counts.
     pub fn unit(&self) -> &'static str {
         match self.source {
-            Source::Count { .. } => "instructions per operation",
+            Source::Count { .. } | Source::PredictionCost { .. } => "instructions per operation",
+            Source::Prediction { .. } => "instructions predicted for drawing, those counted as the peer",
             Source::Memory { .. } | Source::RowMemory(_) => "bytes",
         }
     }
@@ -199,7 +216,9 @@ impl Case {
     /// What the program calls it, if it is counted by this one.
     pub fn count_name(&self, build: &Build) -> Option<&'static str> {
         match self.source {
-            Source::Count { count, .. } => self.builds().contains(build).then_some(count),
+            Source::Count { count, .. } | Source::Prediction { count } | Source::PredictionCost { count } => {
+                self.builds().contains(build).then_some(count)
+            }
             Source::Memory { .. } | Source::RowMemory(_) => None,
         }
     }
@@ -212,6 +231,17 @@ impl Case {
                 (bytes as f64, None, None, None, vec![], true)
             }
             Source::RowMemory(bytes) => (bytes as f64, None, None, None, vec![], true),
+            Source::Prediction { count } => {
+                let build = self.builds()[0];
+                let (counted, checksum) = difference(counts, build, count, ["draw", "estimate"])?;
+                let equal = counts.same_everywhere(count, "draw");
+                let predicted = counts.prediction(build, count)?;
+                (predicted, None, Some(counted), None, vec![checksum], equal)
+            }
+            Source::PredictionCost { count } => {
+                let (counted, checksum) = difference(counts, self.builds()[0], count, ["estimate", "prepare"])?;
+                (counted, None, None, None, vec![checksum], true)
+            }
             Source::Count {
                 count, variant, peer, ..
             } => {
@@ -251,6 +281,13 @@ impl Case {
             equal,
         })
     }
+}
+
+/// Instructions of an operation through one variant beyond those through another one, and the checksum of the first.
+fn difference(counts: &Counts, build: Build, count: &str, variants: [&str; 2]) -> anyhow::Result<(f64, u32)> {
+    let [whole, part] = variants.map(|variant| counts.count(build, count, variant));
+    let (whole, part) = (whole?, part?);
+    Ok((whole.mean() - part.mean(), whole.checksum))
 }
 
 impl What {
@@ -297,7 +334,12 @@ pub struct Figure {
 impl Figure {
     /// Whether all budgets are kept, if there is one. Cycles that were not estimated break none.
     pub fn pass(&self) -> Option<bool> {
-        let in_number = self.case.budget.map(|budget| self.zrow <= budget);
+        let in_number = match (&self.case.source, self.peer) {
+            (Source::Prediction { .. }, Some(counted)) => {
+                Some((self.zrow - counted).abs() <= PREDICTION_ERROR * counted)
+            }
+            _ => self.case.budget.map(|budget| self.zrow <= budget),
+        };
         let estimated = self.case.cycles_budget.zip(self.cycles);
         let in_cycles = estimated.map(|(budget, cycles)| cycles <= budget);
         let is_kept = match (in_number, in_cycles) {

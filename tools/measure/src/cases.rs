@@ -20,6 +20,7 @@ pub fn all() -> Vec<Case> {
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(teapots())
+        .chain(estimates())
         .chain(effects::budgeted())
         .chain(looks())
         .chain(crowds())
@@ -530,6 +531,91 @@ fn teapots() -> impl Iterator<Item = Case> {
             },
         })
     })
+}
+
+/// What `Prepared::estimate` predicts for drawing a scene, on both instruction sets, and what predicting takes. The first ones are
+/// scenes to which the weights were fitted, the others are of other sizes and poses.
+fn estimates() -> impl Iterator<Item = Case> {
+    let scenes = [
+        ("estimate.sc1", "sc1: torus and cube"),
+        ("estimate.sc1_passes", "sc1 with 15 slots, so in passes"),
+        ("estimate.sc1_fine", "sc1 at 1/256 pixel"),
+        ("estimate.sc1_deep", "sc1 with depths of 32 bits"),
+        ("estimate.sc2", "sc2: icosphere"),
+        ("estimate.sc3", "sc3: cube"),
+        ("estimate.flat", "Utah teapot, 240 x 320"),
+        (
+            "estimate.fine_deep",
+            "Utah teapot at 1/256 pixel with depths of 32 bits",
+        ),
+        ("estimate.flat_lit", "Utah teapot under a light, one brightness a face"),
+        ("estimate.gouraud", "Utah teapot under a light, three channels"),
+        ("estimate.textured", "Utah teapot, textured"),
+        ("estimate.textured_lit", "Utah teapot under a light, textured"),
+        ("estimate.bilinear", "Utah teapot under a light, textured, bilinear"),
+        ("estimate.indexed", "Utah teapot, a texture of 16 colours"),
+        ("estimate.holes", "Utah teapot, a texture of 16 colours, one a hole"),
+        ("estimate.fog", "Utah teapot in fog"),
+        ("estimate.translucent", "Utah teapot, translucent"),
+        ("estimate.silhouettes", "Utah teapot, antialiased silhouettes"),
+        ("estimate.everything", "Utah teapot with every effect"),
+        ("estimate.square", "a square, textured"),
+        ("estimate.held_out.torus", "torus and cube, 3/4 as far, 320 x 240"),
+        ("estimate.held_out.cube", "cube, 4/5 as far, 320 x 240"),
+        ("estimate.held_out.sphere", "icosphere, 7/10 as far, 240 x 320"),
+        (
+            "estimate.held_out.shaded_sphere",
+            "icosphere, Gouraud shading, 240 x 320",
+        ),
+        ("estimate.held_out.hills", "hills, rolling"),
+        ("estimate.held_out.cut_hills", "hills, rolling, cut at all sides"),
+        ("estimate.held_out.small_pot", "teapot of 240 faces, rolling"),
+        ("estimate.held_out.near", "Utah teapot, half as far, rolling"),
+        ("estimate.held_out.far", "Utah teapot, twice as far, 128 x 64"),
+        (
+            "estimate.held_out.gouraud",
+            "Utah teapot, three channels, rolling, 320 x 240",
+        ),
+        (
+            "estimate.held_out.gouraud_far",
+            "Utah teapot, three channels, twice as far, 128 x 64",
+        ),
+        (
+            "estimate.held_out.textured",
+            "Utah teapot, lit and textured, rolling, 320 x 240",
+        ),
+        (
+            "estimate.held_out.textured_far",
+            "Utah teapot, lit and textured, twice as far, 128 x 64",
+        ),
+        ("estimate.held_out.fog", "Utah teapot in fog, rolling, 320 x 240"),
+        ("estimate.held_out.translucent", "Utah teapot, translucent, rolling"),
+        (
+            "estimate.held_out.silhouettes",
+            "Utah teapot, antialiased silhouettes, half as far again, rolling",
+        ),
+        ("estimate.held_out.square", "a square, textured, half as far again"),
+    ];
+    let predicted = [V7EM, V6M].into_iter().flat_map(move |target| {
+        scenes.map(|(count, title)| Case {
+            name: count.to_owned(),
+            title: format!("{title}: drawing, as predicted"),
+            target,
+            budget: None,
+            cycles_budget: None,
+            source: Source::Prediction { count },
+        })
+    });
+    // 5 % of the frame.
+    let cost = [("estimate.flat", Some(29_600.0)), ("estimate.textured_lit", None)];
+    predicted.chain(cost.map(|(count, budget)| Case {
+        name: format!("{count}.cost"),
+        title: "predicting it".to_owned(),
+        target: V7EM,
+        budget,
+        cycles_budget: None,
+        source: Source::PredictionCost { count },
+    }))
 }
 
 const fn scene(

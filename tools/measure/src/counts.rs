@@ -45,6 +45,8 @@ pub struct Memory {
 pub struct Counts {
     counts: HashMap<(Build, String, String), Count>,
     memory: HashMap<Build, Memory>,
+    /// Instructions that were predicted for drawing, a mean.
+    predictions: HashMap<(Build, String), f64>,
     /// Loops of known length: the program, its instructions, and as how many they were counted.
     calibrations: Vec<(Build, u64, u64)>,
 }
@@ -69,6 +71,12 @@ impl Counts {
             .get(&key)
             .copied()
             .with_context(|| format!("{} did not count {name} ({variant})", build.firmware))
+    }
+
+    /// What was predicted for drawing `name`.
+    pub fn prediction(&self, build: Build, name: &str) -> anyhow::Result<f64> {
+        let prediction = self.predictions.get(&(build, name.to_owned())).copied();
+        prediction.with_context(|| format!("{} did not predict {name}", build.firmware))
     }
 
     /// Whether every target drew the same.
@@ -169,6 +177,11 @@ impl Counts {
                     self.counts
                         .insert((*build, text("name")?.to_owned(), text("variant")?.to_owned()), count);
                 }
+                "prediction" => {
+                    ensure!(is_calibrated, "void: {} was not calibrated", build.firmware);
+                    let key = (*build, text("name")?.to_owned());
+                    self.predictions.insert(key, number("instructions")?.into());
+                }
                 "stack" => stack = Some(u64::from(number("bytes")?)),
                 _ => bail!("{} wrote: {line}", build.firmware),
             }
@@ -235,6 +248,16 @@ mod tests {
         ));
         let count = counts.unwrap().count(BUILD, "clear", "peer").unwrap();
         assert_eq!((count.mean(), count.checksum), (80.0, 7));
+    }
+
+    #[test]
+    fn a_prediction_belongs_to_its_name() -> anyhow::Result<()> {
+        let counts = read(&format!(
+            "{CALIBRATION}prediction name=estimate.sc1 instructions=170000\n"
+        ))?;
+        assert_eq!(counts.prediction(BUILD, "estimate.sc1")?, 170_000.0);
+        assert!(counts.prediction(BUILD, "estimate.sc2").is_err());
+        Ok(())
     }
 
     #[test]

@@ -5,7 +5,7 @@ use core::{convert::Infallible, hint::black_box, marker::PhantomData, ptr};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
-    scene::{Antialiased, Look, Memory},
+    scene::{Antialiased, InstructionSet, Look, Memory, Prepared},
     shade::{Bilinear, FlatLit, Gouraud, LitTextured, Texels, Textured},
 };
 use zrow_scenes::{
@@ -22,6 +22,12 @@ use crate::{
 
 /// Frames of a scene.
 pub const FRAMES: u32 = 64;
+/// The instruction set that the program was compiled for: the smaller one cannot exchange a byte in memory.
+pub const INSTRUCTION_SET: InstructionSet = if cfg!(target_has_atomic = "8") {
+    InstructionSet::Armv7M
+} else {
+    InstructionSet::Armv6M
+};
 /// The frames, to count each of them.
 pub const FRAME_NUMBERS: [u32; FRAMES as usize] = {
     let mut numbers = [0; FRAMES as usize];
@@ -102,6 +108,31 @@ where
         }
     }
 
+    /// Prepares a frame and predicts what drawing it takes.
+    pub fn estimate(&mut self, frame: u32) -> u32 {
+        let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {
+            report::exit(false)
+        };
+        let models = [S::model().with_pose(pose)];
+        let Ok(mut prepared) = self.memory.prepare(&camera, &models) else {
+            report::exit(false)
+        };
+        black_box(&mut prepared).estimate(INSTRUCTION_SET)
+    }
+
+    /// Prepares a frame, predicts what drawing it takes, and draws it.
+    pub fn estimate_and_draw(&mut self, frame: u32) -> u32 {
+        let mut estimate = 0;
+        self.prepared_rows(
+            frame,
+            |prepared| estimate = black_box(prepared).estimate(INSTRUCTION_SET),
+            |words| {
+                black_box(words);
+            },
+        );
+        estimate
+    }
+
     /// Draws a frame: prepares it, clears and draws every row. A display would take the row by DMA from here on.
     pub fn draw(&mut self, frame: u32) {
         self.rows(frame, |words| {
@@ -120,7 +151,19 @@ where
         });
     }
 
-    fn rows(&mut self, frame: u32, mut output: impl FnMut(&[u16])) {
+    /// Draws a frame and hands over its rows.
+    #[inline(always)]
+    pub fn rows(&mut self, frame: u32, output: impl FnMut(&[u16])) {
+        self.prepared_rows(frame, |_| {}, output);
+    }
+
+    #[inline(always)]
+    fn prepared_rows(
+        &mut self,
+        frame: u32,
+        mut before: impl FnMut(&mut Prepared<'_, '_, L>),
+        mut output: impl FnMut(&[u16]),
+    ) {
         let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {
             report::exit(false)
         };
@@ -128,6 +171,7 @@ where
         let Ok(mut prepared) = self.memory.prepare(&camera, &models) else {
             report::exit(false)
         };
+        before(&mut prepared);
         let mut sink = |band: Band<'_, Rgb565>| -> Result<(), Infallible> {
             output(band.words());
             Ok(())
