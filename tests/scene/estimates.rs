@@ -1,5 +1,5 @@
-//! What is predicted of a frame, against frames of which it is known which one takes longer, and on scenes that try the numbers.
-//! How near predictions are to what chips count is a matter of `measure`.
+//! What is predicted of a frame, against frames of which it is known which one takes longer, and on scenes that try the
+//! numbers. How near predictions are to what chips count is a matter of `measure`.
 
 use embedded_graphics::{
     pixelcolor::{Rgb565, Rgb888},

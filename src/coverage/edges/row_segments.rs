@@ -88,7 +88,8 @@ fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32)
         let pushed = segments.push(edge.begin_at(index, row));
         debug_assert!(pushed.is_ok(), "there is room for all edges in a row");
     }
-    // Successors that start inside this row, and theirs; and the next event row. Chains that have not begun begin below this row.
+    // Successors that start inside this row, and theirs; and the next event row. Chains that have not begun begin below this
+    // row.
     let next_row = row + 1;
     let mut event_row = chains.first_row();
     let mut index = 0usize;

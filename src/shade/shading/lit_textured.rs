@@ -26,7 +26,8 @@ use crate::{
 
 /// A picture on each face, of a [`Texture`] or of what a [`Sampler`] makes of one, under lights ([`Lighting`]).
 ///
-/// Texture coordinates and light are divided by the depth at every 16th pixel of a span, or at every `STEP`th ([`Perspective`]).
+/// Texture coordinates and light are divided by the depth at every 16th pixel of a span, or at every `STEP`th
+/// ([`Perspective`]).
 ///
 /// As a [`Look`](crate::scene::Look), or as the shading of one: `Whole<LitTextured<Texels<Rgb565, 64, 64>>>`.
 #[derive(Debug)]

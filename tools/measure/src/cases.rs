@@ -533,8 +533,8 @@ fn teapots() -> impl Iterator<Item = Case> {
     })
 }
 
-/// What `Prepared::estimate` predicts for drawing a scene, on both instruction sets, and what predicting takes. The first ones are
-/// scenes to which the weights were fitted, the others are of other sizes and poses.
+/// What `Prepared::estimate` predicts for drawing a scene, on both instruction sets, and what predicting takes. The first ones
+/// are scenes to which the weights were fitted, the others are of other sizes and poses.
 fn estimates() -> impl Iterator<Item = Case> {
     let scenes = [
         ("estimate.sc1", "sc1: torus and cube"),

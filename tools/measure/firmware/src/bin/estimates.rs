@@ -1,5 +1,5 @@
-//! Counts what drawing a prepared frame takes, and reports what was predicted: in scenes that the weights of the prediction were
-//! fitted to, and in others.
+//! Counts what drawing a prepared frame takes, and reports what was predicted: in scenes that the weights of the prediction
+//! were fitted to, and in others.
 #![no_std]
 #![no_main]
 
