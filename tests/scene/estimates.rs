@@ -124,7 +124,7 @@ fn each_effect_takes_more() {
     for set in SETS {
         let (mesh, pose) = (sphere([24, 12]), standard_pose(5));
         let colors = vec![Rgb565::RED; mesh.faces.len()];
-        let coordinates: Vec<[i16; 2]> = mesh.vertices.iter().map(|&[x, y, _]| [4 * x, 4 * y]).collect();
+        let coordinates: Vec<[i16; 2]> = mesh.vertices.iter().map(|&[x, y, _]| [16 * x, 16 * y]).collect();
         let plain = flat::<Rgb565>(&mesh, pose, set);
         for with_effect in [
             flat::<Fine<Rgb565>>(&mesh, pose, set),
