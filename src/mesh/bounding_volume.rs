@@ -1,5 +1,5 @@
-//! What boxes, spheres and cylinders around meshes are in common, when it is told whether they can be seen: a centre, and how
-//! far they reach along three axes.
+//! Bounding volumes: boxes, spheres and cylinders around meshes, all of them as a centre and how far they reach along three
+//! axes, from which it is told whether they can be seen.
 //!
 //! ```text
 //!     straight along all axes    along one of them     along none
@@ -17,9 +17,9 @@ use crate::mesh::{BoundingBox, BoundingCylinder, BoundingSphere, bounding_cylind
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoundingVolume {
     centre: [i16; 3],
-    /// How far it reaches from its centre along x, y and z.
+    /// How far the volume reaches from its centre along x, y and z, in the vertices' unit.
     halves: [u16; 3],
-    /// Along which of them it is straight; it is round across the others.
+    /// Along which of x, y and z the volume is straight; it is round across the others.
     straight: [bool; 3],
     is_nothing: bool,
 }

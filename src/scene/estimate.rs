@@ -39,7 +39,7 @@ pub(super) enum RowDrawing {
 /// Fractional bits of areas, so that small faces count.
 const AREA_BITS: u32 = 4;
 
-/// What there is to draw in a frame.
+/// What there is to draw in a prepared frame, in numbers that take about as many instructions each.
 #[derive(Debug, Copy, Clone, Default)]
 struct Work {
     /// Rows that faces cross.
@@ -67,8 +67,9 @@ struct Work {
     edge_columns: u32,
 }
 
-/// Where the first model has more faces, every fourth one is looked at and counts for four.
+/// Faces of the first model of a scene above which a prediction looks at every fourth one alone, which counts for four.
 const MANY: usize = 256;
+/// Faces that a prediction leaves out after each that it looks at, where there are [`MANY`].
 const SKIPPED: u32 = 3;
 
 /// Instructions a unit of [`Work`], on ARMv6-M and ARMv7-M.
@@ -100,7 +101,7 @@ mod weights {
 }
 
 impl<L: Look> PreparedFaces<'_, '_, L> {
-    /// How many instructions of a set drawing all rows will take.
+    /// Predicts how many instructions of an instruction set drawing all rows of the frame will take.
     pub(super) fn estimate(&self, set: InstructionSet, drawing: RowDrawing) -> u32 {
         let work = self.work(drawing);
         let [of_face, fragment] = L::Shading::instructions(set);

@@ -33,7 +33,8 @@ type SkinOf<'m, L> = (<<L as Look>::Shading as Shading>::Skin<'m>, UniformsOf<L>
 /// What is the same for all vertices of a model in a frame.
 type UniformsOf<L> = <<L as Look>::Shading as Shading>::Uniforms;
 
-/// What drawing a prepared frame changes: the active list, the depth row, and the silhouettes of the row.
+/// The memory that changes while the rows of a prepared frame are drawn: the active list, the depths of a row, and its
+/// silhouettes.
 pub(super) struct RowMemory<'r, 'm, L: Look> {
     pub(super) active: &'r mut ActiveListOf<L>,
     pub(super) depths: &'r mut [L::Depth],
