@@ -39,7 +39,8 @@ pub(crate) fn error_term_above(diameter: u32, dy: u32) -> u32 {
     let dx = (diameter - 1) & 1;
     let needed = dy * dy + dx;
     let decision_variable = circle_limit(diameter) as u32 - 1;
-    (needed - decision_variable).div_ceil(4)
+    // A shift, because `div_ceil` adds 1 to the quotient where there is a rest, which takes 2 instructions more.
+    (needed - decision_variable + 3) >> 2
 }
 
 fn square_root(number: u64) -> u32 {

@@ -110,7 +110,7 @@ impl<N: CurveNumber> SymmetricCurve for SymmetricRows<N> {
         };
         let inner = if self.rows.start < self.inner_start {
             edge(
-                diameter.div_ceil(2),
+                diameter - diameter / 2,
                 circle::error_term_above(self.inner_size.width, (row_increment - Wrapping(1)).0),
             )
         } else {
