@@ -15,7 +15,7 @@
 //! Source: Catmull and Smith (1980), "3-D transformations of images in scanline order"; Heckbert (1989), "Fundamentals of
 //! texture mapping and image warping".
 
-use core::marker::PhantomData;
+use core::{marker::PhantomData, num::Wrapping};
 
 use crate::{
     shade::{
@@ -46,8 +46,8 @@ impl<T: Texture<Color: ChannelColor>> Sampler for Bilinear<T> {
     #[inline(always)]
     fn sample(image: &T::Image<'_>, coordinates: [i32; 2]) -> Option<WordOf<T>> {
         let [u, v] = coordinates;
-        let (column, from_left) = texel_and_fraction(u, T::COLUMN_BITS);
-        let (row, from_top) = texel_and_fraction(v, T::ROW_BITS);
+        let (column, from_left) = texel_and_fraction::<T>(u, T::COLUMN_BITS);
+        let (row, from_top) = texel_and_fraction::<T>(v, T::ROW_BITS);
         let (left, right) = (T::column(column), T::column(column.wrapping_add(1)));
         let (top, bottom) = (T::row(row), T::row(row.wrapping_add(1)));
         let texels = (
@@ -76,13 +76,23 @@ fn mixed<C: ChannelColor>(
     C::Layout::mixed(one, other, factor)
 }
 
-/// The texel whose centre is the last one before a coordinate, and how far the coordinate is beyond it, in parts of a texel.
+/// The texel of a texture whose centre is the last one before a coordinate, and how far the coordinate is beyond it, in parts of
+/// a texel.
 #[inline(always)]
-fn texel_and_fraction(coordinate: i32, texel_bits: u32) -> (i32, u32) {
-    // Counted from the centre of a texel only where there is room for it, so that nothing wraps.
-    let from_edge = coordinate >> (COORDINATE_BITS - texel_bits - FRACTION_BITS);
-    let fraction = from_edge - (1 << (FRACTION_BITS - 1));
-    (fraction >> FRACTION_BITS, fraction as u32 & ((1 << FRACTION_BITS) - 1))
+fn texel_and_fraction<T: Texture>(coordinate: i32, texel_bits: u32) -> (i32, u32) {
+    let shift = COORDINATE_BITS - texel_bits - FRACTION_BITS;
+    const HALF: i32 = 1 << (FRACTION_BITS - 1);
+    let from_centre = if T::REPEATS {
+        // Wraps left of the least coordinates to texels of the same number, modulo the texture.
+        (Wrapping(coordinate) - Wrapping(HALF << shift)).0 >> shift
+    } else {
+        // Counted from the centre of a texel only where there is room for it, which takes two instructions more.
+        (coordinate >> shift) - HALF
+    };
+    (
+        from_centre >> FRACTION_BITS,
+        from_centre as u32 & ((1 << FRACTION_BITS) - 1),
+    )
 }
 
 #[cfg(test)]
@@ -99,5 +109,27 @@ mod tests {
         let sample = Bilinear::<Clamped<Texels<Gray8, 2, 2>>>::sample;
         assert_eq!(sample(&image, [i32::MIN; 2]), Some(1));
         assert_eq!(sample(&image, [i32::MAX; 2]), Some(4));
+    }
+
+    /// Also where half a texel to the left or above there are no coordinates any more.
+    #[test]
+    fn a_texture_further_all_texels_repeat() {
+        const TEXTURE: i32 = 1 << COORDINATE_BITS;
+        let image = &[[10, 200, 90, 30], [240, 60, 0, 120]];
+        let sample = |u, v| Bilinear::<Texels<Gray8, 4, 2>>::sample(&image, [u, v]);
+        for down in (0..TEXTURE).step_by(TEXTURE as usize / 64) {
+            for right in (0..TEXTURE).step_by(TEXTURE as usize / 128) {
+                let expected = sample(right, down);
+                for [u, v] in [
+                    [i32::MIN, 0],
+                    [0, i32::MIN],
+                    [i32::MIN; 2],
+                    [-TEXTURE; 2],
+                    [TEXTURE, i32::MIN],
+                ] {
+                    assert_eq!(sample(u + right, v + down), expected, "{u} + {right}, {v} + {down}");
+                }
+            }
+        }
     }
 }

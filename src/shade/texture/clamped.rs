@@ -17,6 +17,7 @@ impl<T: Texture> Texture for Clamped<T> {
     type Image<'a> = T::Image<'a>;
     const COLUMN_BITS: u32 = T::COLUMN_BITS;
     const ROW_BITS: u32 = T::ROW_BITS;
+    const REPEATS: bool = false;
 
     #[inline]
     fn instructions(set: InstructionSet) -> u32 {

@@ -37,6 +37,9 @@ pub trait Texture: 'static {
     const COLUMN_BITS: u32;
     /// How many bits the number of a row has.
     const ROW_BITS: u32;
+    /// Whether the texture repeats beyond its edges, as [`column`](Self::column) and [`row`](Self::row) say. One that says
+    /// something else in these says `false` here, so that no coordinates wrap from one end of their range to the other one.
+    const REPEATS: bool = true;
 
     /// The word of a texel, in the machine's byte order; `None` for a hole. Columns and rows are counted from the upper left
     /// texel, modulo width and height. Called at least once a pixel.
