@@ -118,3 +118,66 @@ impl From<BoundingCylinder> for BoundingVolume {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Small and large coordinates, and those at both ends of their range.
+    const COORDINATES: [i16; 7] = [i16::MIN, -20_001, -1, 0, 2, 17_000, i16::MAX];
+
+    fn corners() -> impl Iterator<Item = [i16; 3]> + Clone {
+        let all = COORDINATES.into_iter();
+        let pairs = all.flat_map(|x| COORDINATES.map(|y| (x, y)));
+        pairs.flat_map(|(x, y)| COORDINATES.map(|z| [x, y, z]))
+    }
+
+    /// Checks bounds of some points against their definitions.
+    fn check(points: &[[i16; 3]], bounds: impl Into<BoundingVolume>) {
+        let bounds = bounds.into();
+        let distances = |point: [i16; 3]| {
+            let mut centre = bounds.centre.into_iter();
+            point.map(|coordinate| i64::from(coordinate.abs_diff(centre.next().unwrap_or_default())))
+        };
+        for &point in points {
+            let mut round = 0;
+            let mut radius = 0;
+            for ((distance, half), straight) in distances(point).into_iter().zip(bounds.halves).zip(bounds.straight) {
+                let half = i64::from(half);
+                if straight {
+                    assert!(distance <= half, "{point:?} in {bounds:?}");
+                } else {
+                    round += distance * distance;
+                    radius = half;
+                }
+            }
+            assert!(round <= radius * radius, "{point:?} in {bounds:?}");
+        }
+        let [centre, others @ ..] = bounds.points().unwrap();
+        assert_eq!(centre, bounds.centre);
+        for (axis, point) in others.into_iter().enumerate() {
+            for (other, moved) in distances(point).into_iter().enumerate() {
+                let expected = if other == axis {
+                    bounds.halves[axis].div_ceil(2)
+                } else {
+                    0
+                };
+                assert_eq!(moved, i64::from(expected), "axis {axis} of {bounds:?}");
+            }
+        }
+    }
+
+    /// Two or three points, over the whole range of coordinates.
+    #[test]
+    fn all_bounds_are_around_their_points() {
+        for (index, a) in corners().enumerate() {
+            for b in corners().skip(index % 5).step_by(5) {
+                for points in [&[a, b][..], &[a, b, [-300, 4_000, 77]]] {
+                    check(points, BoundingBox::around(points));
+                    check(points, BoundingSphere::around(points));
+                    check(points, BoundingCylinder::around(points));
+                }
+            }
+        }
+    }
+}
