@@ -17,7 +17,8 @@ use crate::mesh::{BoundingBox, BoundingCylinder, BoundingSphere, bounding_cylind
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoundingVolume {
     centre: [i16; 3],
-    /// How far the volume reaches from its centre along x, y and z, in the vertices' unit.
+    /// Half the sides of a box along x, y and z, the radius of a sphere, or the radius and half the length of a cylinder, in
+    /// the unit of the vertices that are inside.
     halves: [u16; 3],
     /// Along which of x, y and z the volume is straight; it is round across the others.
     straight: [bool; 3],

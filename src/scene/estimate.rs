@@ -39,7 +39,8 @@ pub(super) enum RowDrawing {
 /// Fractional bits of areas, so that small faces count.
 const AREA_BITS: u32 = 4;
 
-/// What there is to draw in a prepared frame, in numbers that take about as many instructions each.
+/// How many rows, spans, pixels and other things drawing a prepared frame goes through: a prediction of its instructions adds
+/// these numbers up, each times the instructions that one such thing takes.
 #[derive(Debug, Copy, Clone, Default)]
 struct Work {
     /// Rows that faces cross.

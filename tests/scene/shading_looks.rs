@@ -99,21 +99,28 @@ where
     );
 }
 
+/// Calls a function with a shading in every pair of wrappers, and with the look that each of them names.
+macro_rules! for_each_pair {
+    ($function:ident, $shading:ident) => {
+        $function::<$shading, Named<$shading, Sub4, u16, true, true>>();
+        $function::<Fine<Deep<$shading>>, Named<$shading, Sub8, u32, true, true>>();
+        $function::<Deep<Fine<$shading>>, Named<$shading, Sub8, u32, true, true>>();
+        $function::<Fine<Whole<$shading>>, Named<$shading, Sub8, u16, false, true>>();
+        $function::<Whole<Fine<$shading>>, Named<$shading, Sub8, u16, false, true>>();
+        $function::<Fine<OnePass<$shading>>, Named<$shading, Sub8, u16, true, false>>();
+        $function::<OnePass<Fine<$shading>>, Named<$shading, Sub8, u16, true, false>>();
+        $function::<Deep<Whole<$shading>>, Named<$shading, Sub4, u32, false, true>>();
+        $function::<Whole<Deep<$shading>>, Named<$shading, Sub4, u32, false, true>>();
+        $function::<Deep<OnePass<$shading>>, Named<$shading, Sub4, u32, true, false>>();
+        $function::<OnePass<Deep<$shading>>, Named<$shading, Sub4, u32, true, false>>();
+        $function::<Whole<OnePass<$shading>>, Named<$shading, Sub4, u16, false, false>>();
+        $function::<OnePass<Whole<$shading>>, Named<$shading, Sub4, u16, false, false>>();
+    };
+}
+
 /// Draws with every pair of wrappers.
 fn draw_pairs<H: Skinned<Color = Rgb565>>() {
-    check::<H, Named<H, Sub4, u16, true, true>>();
-    check::<Fine<Deep<H>>, Named<H, Sub8, u32, true, true>>();
-    check::<Deep<Fine<H>>, Named<H, Sub8, u32, true, true>>();
-    check::<Fine<Whole<H>>, Named<H, Sub8, u16, false, true>>();
-    check::<Whole<Fine<H>>, Named<H, Sub8, u16, false, true>>();
-    check::<Fine<OnePass<H>>, Named<H, Sub8, u16, true, false>>();
-    check::<OnePass<Fine<H>>, Named<H, Sub8, u16, true, false>>();
-    check::<Deep<Whole<H>>, Named<H, Sub4, u32, false, true>>();
-    check::<Whole<Deep<H>>, Named<H, Sub4, u32, false, true>>();
-    check::<Deep<OnePass<H>>, Named<H, Sub4, u32, true, false>>();
-    check::<OnePass<Deep<H>>, Named<H, Sub4, u32, true, false>>();
-    check::<Whole<OnePass<H>>, Named<H, Sub4, u16, false, false>>();
-    check::<OnePass<Whole<H>>, Named<H, Sub4, u16, false, false>>();
+    for_each_pair!(check, H);
     check::<Whole<Deep<OnePass<Fine<H>>>>, Named<H, Sub8, u32, false, false>>();
     check::<Counted<H>, Named<H, Sub4, u16, true, true>>();
     check::<Unhurried<H>, Named<H, Sub4, u16, true, true>>();
@@ -146,21 +153,9 @@ where
     assert_eq!(constants::<L>(), constants::<Same>(), "{}", type_name::<L>());
 }
 
-/// Compares the items of every pair of wrappers, and draws with some of them. A compiler takes a second for each look that draws.
+/// Compares the items of every pair of wrappers, and draws with some of them: each look that draws takes a second to compile.
 fn check_pairs<H: Skinned<Color = Rgb565>>() {
-    assert_same_items::<H, Named<H, Sub4, u16, true, true>>();
-    assert_same_items::<Fine<Deep<H>>, Named<H, Sub8, u32, true, true>>();
-    assert_same_items::<Deep<Fine<H>>, Named<H, Sub8, u32, true, true>>();
-    assert_same_items::<Fine<Whole<H>>, Named<H, Sub8, u16, false, true>>();
-    assert_same_items::<Whole<Fine<H>>, Named<H, Sub8, u16, false, true>>();
-    assert_same_items::<Fine<OnePass<H>>, Named<H, Sub8, u16, true, false>>();
-    assert_same_items::<OnePass<Fine<H>>, Named<H, Sub8, u16, true, false>>();
-    assert_same_items::<Deep<Whole<H>>, Named<H, Sub4, u32, false, true>>();
-    assert_same_items::<Whole<Deep<H>>, Named<H, Sub4, u32, false, true>>();
-    assert_same_items::<Deep<OnePass<H>>, Named<H, Sub4, u32, true, false>>();
-    assert_same_items::<OnePass<Deep<H>>, Named<H, Sub4, u32, true, false>>();
-    assert_same_items::<Whole<OnePass<H>>, Named<H, Sub4, u16, false, false>>();
-    assert_same_items::<OnePass<Whole<H>>, Named<H, Sub4, u16, false, false>>();
+    for_each_pair!(assert_same_items, H);
     check::<Whole<Deep<OnePass<Fine<H>>>>, Named<H, Sub8, u32, false, false>>();
     check::<Unhurried<Fine<Counted<H>>>, Named<H, Sub8, u16, true, true>>();
 }

@@ -45,7 +45,7 @@ fn default_folder() -> PathBuf {
     workspace.canonicalize().unwrap_or(workspace).join("target/gallery")
 }
 
-/// What there is to draw, and how far it is drawn.
+/// The scenes that are drawn into picture files by some threads, the folder of these files, and which scenes are taken already.
 struct Gallery<'a> {
     options: &'a Options,
     folder: &'a Path,
