@@ -11,7 +11,7 @@ use crate::{
         preparation::{Preparation, begin, rows_of_face, visible_rows},
     },
     shade::{Attributes, Shading},
-    view::{AffineEyeTransform, Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex},
+    view::{AffineEyeTransform, Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex, ToEye},
 };
 
 /// A polygon of a look that is cut.
@@ -89,11 +89,10 @@ impl<L: Look> Preparation<'_, L> {
         let Some((apex, fan)) = kept.split_first() else { return };
         for pair in fan.windows(2).rev() {
             let [second, third] = pair else { continue };
-            let fragment = [*apex, *second, *third];
-            let corners = fragment.map(|corner| inside(corner.position));
+            let corners = [apex.position, second.position, third.position].map(inside);
             if let Some(rows) = visible_rows(corners.each_ref(), &self.viewport) {
                 self.add_clipped_face(&corners, order, rows);
-                self.set_attributes_of_last(fragment.map(|corner| corner.attributes));
+                self.set_attributes_of_last([apex.attributes, second.attributes, third.attributes]);
             }
         }
     }
@@ -134,18 +133,26 @@ fn eye_corners<L: Look>(
     model: &Model<'_, L::Shading>,
     face: &[u16; 3],
 ) -> [[<L::Precision as ScreenPrecision>::Wide; 3]; 3] {
-    let vertex = |index: u16| model.mesh().vertices().get(usize::from(index));
-    let vertices = face.map(|index| vertex(index).copied().unwrap_or_default());
+    let vertices = model.mesh().vertices();
     if L::Shading::HAS_AFFINE_MAP {
         let affine = L::Shading::affine(model.skin());
         // It was there when the vertices were transformed.
-        AffineEyeTransform::new(affine, &model.pose, camera.pose()).map_or_else(Default::default, |transform| {
-            vertices.map(|vertex| eye_corner::<L::Precision>(&transform, vertex))
-        })
+        match AffineEyeTransform::new(affine, &model.pose, camera.pose()) {
+            Some(transform) => to_eye::<L::Precision>(&transform, vertices, face),
+            None => Default::default(),
+        }
     } else {
         let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
-        vertices.map(|vertex| eye_corner::<L::Precision>(&transform, vertex))
+        to_eye::<L::Precision>(&transform, vertices, face)
     }
+}
+
+/// Three of the vertices of a mesh in eye space.
+fn to_eye<S: ScreenPrecision>(transform: &impl ToEye, vertices: &[[i16; 3]], face: &[u16; 3]) -> [[S::Wide; 3]; 3] {
+    face.map(|index| {
+        let vertex = vertices.get(usize::from(index)).copied().unwrap_or_default();
+        eye_corner::<S>(transform, vertex)
+    })
 }
 
 /// Whether a polygon on the screen is seen from the front: its corners run clockwise. Corners of cuts are rounded, so that the

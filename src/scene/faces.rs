@@ -39,14 +39,13 @@ pub struct ScreenFace<S: ScreenPrecision, D> {
 }
 
 impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
-    fn new(order: usize, corners: &[ScreenVertex<S, D>; 3]) -> Option<Self> {
+    fn new(order: usize, [a, b, c]: [&ScreenVertex<S, D>; 3]) -> Option<Self> {
         let corner = |vertex: &ScreenVertex<S, D>| {
             Some(Corner {
                 point: SubPoint::from_units(vertex.x_units(), vertex.y_units()).ok()?,
                 depth: vertex.z,
             })
         };
-        let [a, b, c] = corners;
         Some(Self {
             order,
             corners: [corner(a)?, corner(b)?, corner(c)?],
@@ -80,8 +79,7 @@ fn whole<'t, 'm, L: Look>(
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }
-        let corners = clockwise::<L, _>(corners, corners);
-        ScreenFace::new(order, &corners.map(|corner| *corner))
+        ScreenFace::new(order, clockwise::<L, _>(corners, corners))
     })
 }
 
@@ -92,8 +90,8 @@ fn clipped<S: ScreenPrecision, D: DepthWidth>(
     fragments
         .chunks_exact(FRAGMENT_VERTICES)
         .filter_map(|fragment| match fragment {
-            [header, corners @ ..] => ScreenFace::new(usize::from(header.x_units() as u16), corners.first_chunk()?),
-            [] => None,
+            [header, a, b, c] => ScreenFace::new(usize::from(header.x_units() as u16), [a, b, c]),
+            _ => None,
         })
 }
 

@@ -62,8 +62,7 @@ impl<L: Look> Frame<'_, L> {
     ) -> Result<Range<usize>, InputError> {
         let viewport = camera.viewport();
         check_viewport::<L::Precision>(&viewport)?;
-        let vertices = total(models.iter().map(|model| model.mesh().vertices().len()));
-        let faces = total(models.iter().map(|model| model.mesh().faces().len()));
+        let [vertices, faces] = totals(models);
         let most_vertices = self.tables.vertices.len().min(MOST_NODES);
         check(most_vertices, TooSmall::Vertices(vertices))?;
         check(self.tables.next.len().min(MOST_NODES), TooSmall::Faces(faces))?;
@@ -105,6 +104,14 @@ fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), InputErro
     }
 }
 
+/// How many vertices and how many faces models have together.
+fn totals<H: Shading>(models: &[Model<'_, H>]) -> [usize; 2] {
+    [
+        total(models.iter().map(|model| model.mesh().vertices().len())),
+        total(models.iter().map(|model| model.mesh().faces().len())),
+    ]
+}
+
 /// The sum of the lengths, or the greatest number: models may share a mesh, so that the sum may exceed memory.
 fn total(lengths: impl Iterator<Item = usize>) -> usize {
     lengths.fold(0, usize::saturating_add)
@@ -127,7 +134,12 @@ impl<L: Look> Preparation<'_, L> {
         let mut slots = &mut *tables.vertices;
         let mut attributes = &mut *tables.attributes;
         let mut all_inside = true;
-        let volume = L::Shading::HAS_BOUNDS.then(|| view_volume::<L>(projection, camera));
+        // Not by `then`, whose closure the compiler would begin with for all shadings.
+        let volume = if L::Shading::HAS_BOUNDS {
+            Some(view_volume::<L>(projection, camera))
+        } else {
+            None
+        };
         for (index, model) in models.iter().enumerate() {
             let vertices = model.mesh().vertices();
             // The capacity was checked: there is room for all vertices.
@@ -234,6 +246,10 @@ fn is_beyond_bounds<H: Shading>(
     model: &Model<'_, H>,
     fit: impl FnOnce(&[[i16; 3]]) -> bool,
 ) -> bool {
+    // The constant first: for other shadings the compiler does not even begin with what follows.
+    if !H::HAS_BOUNDS {
+        return false;
+    }
     match (volume, H::bounds(model.skin())) {
         (Some(volume), Some(bounds)) => is_beyond(volume, transform, &bounds, fit),
         _ => false,

@@ -19,7 +19,7 @@ use crate::{
         count::Count,
         face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
-        shaded_span::{is_seen, shaded_row, span_around, word_at},
+        shaded_span::{end_of_covered, is_seen, shaded_row, span_around, word_at},
         sides::Sides,
         silhouette_pixels::{InSlots, mix_silhouettes},
         silhouette_row::RowEdges,
@@ -155,8 +155,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         } else {
             self.draw_all_spans(faces, row);
         }
-        if let Some(mut edges) = edges.columns() {
-            mix_silhouettes(faces, row, &mut edges, &InSlots(self.in_use()));
+        // The constant first: for other looks the compiler does not even begin with what follows.
+        if F::ANTIALIASES {
+            if let Some(mut edges) = edges.columns() {
+                mix_silhouettes(faces, row, &mut edges, &InSlots(self.in_use()));
+            }
         }
         if H::BLENDS {
             self.blend_row(faces, row);
@@ -303,9 +306,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         let order = faces.order(face.node);
         let y = row.y;
         // The edges may have been taken to the next row already.
-        let is_covered = |column: &i32| covers(faces, face.node, column + self.first_column, y);
-        let last = (0..row.words.len() as i32).rev().find(is_covered);
-        let end = last.map_or(0, |last| last + 1);
+        let is_covered = |column: i32| covers(faces, face.node, column + self.first_column, y);
+        let end = end_of_covered(row.words.len(), &is_covered);
         let span = if H::Attributes::VARY {
             span_around(&is_covered, end)
         } else {

@@ -102,9 +102,18 @@ pub(super) fn covers<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     column: i32,
     row: i32,
 ) -> bool {
-    let Some([a, b, c]) = corners_from_top(faces, node) else {
-        return false;
-    };
+    match corners_from_top(faces, node) {
+        Some(corners) => covers_center(corners, column, row),
+        None => false,
+    }
+}
+
+/// Whether a face with these corners, clockwise, covers a pixel.
+fn covers_center<S: ScreenPrecision, D: DepthWidth>(
+    [a, b, c]: [&ScreenVertex<S, D>; 3],
+    column: i32,
+    row: i32,
+) -> bool {
     let center = Position {
         x: column << S::FRACTION_BITS,
         y: row << S::FRACTION_BITS,

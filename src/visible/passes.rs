@@ -63,12 +63,14 @@ impl Passes {
     ) -> usize {
         let top = faces.viewport().top;
         let (counted, crossing) = self.crossing;
-        let (first, before) = if (top..=row).contains(&counted) {
+        let (first, mut crossing) = if (top..=row).contains(&counted) {
             (counted + 1, crossing)
         } else {
             (top, 0)
         };
-        let crossing = (first..=row).map(|row| faces.change(row)).sum::<i32>() + before;
+        for row in first..row + 1 {
+            crossing += faces.change(row);
+        }
         self.crossing = (row, crossing);
         crossing as usize
     }

@@ -39,12 +39,13 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// Draws all faces of a row, in as many passes as they take.
     #[cold]
     #[inline(never)]
-    pub(crate) fn draw_row_in_passes<O, D>(
+    pub(crate) fn draw_row_in_passes<F, O, D>(
         &mut self,
-        faces: &impl FaceTable<S, D, H>,
+        faces: &F,
         row: &mut DepthRow<'_, H::Color, O, D>,
         mut edges: impl RowEdges<WordOf<H>, D>,
     ) where
+        F: FaceTable<S, D, H>,
         O: Order,
         D: DepthWidth,
     {
@@ -55,11 +56,14 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             is_left = self.next_pass(faces, row.y);
         }
         let (at, is_whole) = ([row.left, row.y], self.next_row == row.y + 1);
-        if let Some(mut edges) = edges.columns() {
-            if is_whole {
-                mix_silhouettes(faces, row, &mut edges, &InSlots(self.in_use()));
-            } else {
-                mix_silhouettes(faces, row, &mut edges, &InTable::new(faces, at));
+        // The constant first: for other looks the compiler does not even begin with what follows.
+        if F::ANTIALIASES {
+            if let Some(mut edges) = edges.columns() {
+                if is_whole {
+                    mix_silhouettes(faces, row, &mut edges, &InSlots(self.in_use()));
+                } else {
+                    mix_silhouettes(faces, row, &mut edges, &InTable::new(faces, at));
+                }
             }
         }
         if H::BLENDS && is_whole {

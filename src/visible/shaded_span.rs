@@ -166,13 +166,13 @@ pub(super) fn is_seen<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     [column, row]: [i32; 2],
     first_column: i32,
 ) -> bool {
-    let is_covered = |column: &i32| covers(faces, face.node, column + first_column, row);
-    if face.is_translucent() || !is_covered(&(column - first_column)) {
+    if face.is_translucent() || !covers(faces, face.node, column, row) {
         return false;
     }
     if !H::Attributes::VARY {
         return true;
     }
+    let is_covered = |column: i32| covers(faces, face.node, column + first_column, row);
     let span = span_around(&is_covered, column - first_column + 1);
     word_at(faces, face, span, [column, row], first_column).is_some()
 }
@@ -246,7 +246,15 @@ where
 }
 
 /// The columns of a span of which the pixel before `end` is one: it may go on on both sides of the row.
-pub(super) fn span_around(is_covered: &impl Fn(&i32) -> bool, end: i32) -> [i32; 2] {
-    let start = (i32::MIN..end).rev().take_while(is_covered).last().unwrap_or(end);
-    [start, (end..).find(|column| !is_covered(column)).unwrap_or(end)]
+// Once in flash, whatever the look: it is seldom asked.
+pub(super) fn span_around(is_covered: &dyn Fn(i32) -> bool, end: i32) -> [i32; 2] {
+    let before = (i32::MIN..end).rev().take_while(|column| is_covered(*column));
+    let start = before.last().unwrap_or(end);
+    [start, (end..).find(|column| !is_covered(*column)).unwrap_or(end)]
+}
+
+/// The column after the last that is covered, of a row with so many.
+pub(super) fn end_of_covered(columns: usize, is_covered: &dyn Fn(i32) -> bool) -> i32 {
+    let last = (0..columns as i32).rev().find(|column| is_covered(*column));
+    last.map_or(0, |last| last + 1)
 }
