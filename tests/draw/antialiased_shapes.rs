@@ -14,6 +14,7 @@ use zrow::draw::{DrawAntialiased, PrimitiveStyle};
 
 use crate::{
     antialiased_area::{ALIGNMENTS, Xorshift, compare, fill, stroke, widths},
+    common::cases,
     reference::ideal_coverage::{degrees_from, in_ellipse},
 };
 
@@ -40,7 +41,7 @@ where
 #[test]
 fn circles_and_ellipses() {
     let mut random = Xorshift::new(0x0c1e);
-    for _ in 0..12 {
+    for _ in 0..cases(5, 12) {
         let top_left = Point::new(random.between(-8, 20), random.between(-8, 20));
         let size = Size::new(random.between(1, 40) as u32, random.between(1, 40) as u32);
         let width = random.between(1, 6) as u32;
@@ -59,7 +60,7 @@ fn circles_and_ellipses() {
 #[test]
 fn rounded_rectangles() {
     let mut random = Xorshift::new(0x4e41);
-    for _ in 0..12 {
+    for _ in 0..cases(5, 12) {
         let around = Rectangle::new(
             Point::new(random.between(-8, 10), random.between(-8, 10)),
             Size::new(random.between(20, 40) as u32, random.between(20, 40) as u32),
@@ -136,7 +137,7 @@ fn arcs() {
 #[test]
 fn sectors() {
     let mut random = Xorshift::new(0x5ec7);
-    for _ in 0..12 {
+    for _ in 0..cases(5, 12) {
         let diameter = random.between(20, 40) as u32;
         let top_left = Point::new(random.between(-8, 10), random.between(-8, 10));
         let (start, sweep) = (f64::from(random.between(-400, 400)), f64::from(random.between(60, 300)));
@@ -165,7 +166,7 @@ fn sectors() {
 fn triangles() {
     let mut random = Xorshift::new(0x7419);
     let mut compared = 0;
-    while compared < 12 {
+    while compared < cases(5, 12) {
         let mut vertex = || Point::new(random.between(-8, 50), random.between(-8, 50));
         let triangle = Triangle::new(vertex(), vertex(), vertex());
         let [a, b, c] = triangle

@@ -13,6 +13,7 @@ use zrow::draw::{LineCap, LineJoin, StrokeStyle};
 
 use crate::{
     antialiased_area::{AREA, CAPS, Xorshift, compare, coverage, stroke},
+    common::cases,
     reference::ideal_coverage::{along, distance},
 };
 
@@ -49,7 +50,7 @@ fn lines_with_every_cap() {
 #[test]
 fn dashes() {
     let mut random = Xorshift::new(0xda54);
-    for index in 0..12 {
+    for index in 0..cases(5, 12) as usize {
         let line = Line::new(
             Point::new(random.between(-8, 8), random.between(-8, 40)),
             Point::new(random.between(30, 45), random.between(-8, 41)),
@@ -96,7 +97,7 @@ fn zigzag(random: &mut Xorshift, count: usize) -> Vec<Point> {
 #[test]
 fn polylines_with_round_joins() {
     let mut random = Xorshift::new(0x9011);
-    for _ in 0..12 {
+    for _ in 0..cases(5, 12) {
         let count = random.between(3, 7) as usize;
         let vertices = zigzag(&mut random, count);
         let width = random.between(1, 9) as u32;
