@@ -129,7 +129,7 @@ fn draw_pairs<H: Skinned<Color = Rgb565>>() {
 
 /// A look of which all types and constants are those of another: it draws the same, because nothing else of a look says what is
 /// drawn.
-fn assert_same_items<L, Same>()
+pub fn assert_same_items<L, Same>()
 where
     L: Look,
     Same: Look<
