@@ -19,7 +19,7 @@ use crate::{
         count::Count,
         face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
-        shaded_span::{end_of_covered, is_seen, shaded_row, span_around, word_at},
+        shaded_span::{is_seen, shaded_row, span_around, word_at},
         sides::Sides,
         silhouette_pixels::{InSlots, mix_silhouettes},
         silhouette_row::RowEdges,
@@ -307,7 +307,10 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         let y = row.y;
         // The edges may have been taken to the next row already.
         let is_covered = |column: i32| covers(faces, face.node, column + self.first_column, y);
-        let end = end_of_covered(row.words.len(), &is_covered);
+        let mut end = row.words.len() as i32;
+        while end > 0 && !is_covered(end - 1) {
+            end -= 1;
+        }
         let span = if H::Attributes::VARY {
             span_around(&is_covered, end)
         } else {

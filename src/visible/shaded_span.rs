@@ -252,9 +252,3 @@ pub(super) fn span_around(is_covered: &dyn Fn(i32) -> bool, end: i32) -> [i32; 2
     let start = before.last().unwrap_or(end);
     [start, (end..).find(|column| !is_covered(*column)).unwrap_or(end)]
 }
-
-/// The column after the last that is covered, of a row with so many.
-pub(super) fn end_of_covered(columns: usize, is_covered: &dyn Fn(i32) -> bool) -> i32 {
-    let last = (0..columns as i32).rev().find(|column| is_covered(*column));
-    last.map_or(0, |last| last + 1)
-}
