@@ -39,8 +39,8 @@ pub(super) enum RowDrawing {
 /// Fractional bits of areas, so that small faces count.
 const AREA_BITS: u32 = 4;
 
-/// How many rows, spans, pixels and other things drawing a prepared frame goes through: a prediction of its instructions adds
-/// these numbers up, each times the instructions that one such thing takes.
+/// Numbers of rows, faces, spans and pixels that are drawn in a prepared frame. The instructions of the frame are predicted as
+/// the sum of these numbers, each times the instructions that one of the kind takes.
 #[derive(Debug, Copy, Clone, Default)]
 struct Work {
     /// Rows that faces cross.

@@ -104,7 +104,7 @@ fn check_viewport<S: ScreenPrecision>(viewport: &Window) -> Result<(), InputErro
     }
 }
 
-/// How many vertices and how many faces models have together.
+/// The number of vertices and the number of faces of all models of a frame together, each at most [`usize::MAX`].
 fn totals<H: Shading>(models: &[Model<'_, H>]) -> [usize; 2] {
     [
         total(models.iter().map(|model| model.mesh().vertices().len())),

@@ -14,7 +14,7 @@ use zrow_methods::LookOf;
 
 use crate::common::meshes;
 use crate::numbered_scene::{Scene, area};
-use crate::shading_looks::assert_same_items;
+use crate::shading_looks::{SameTypes, assert_same_items};
 use crate::snapped_faces::{at, camera, standard_pose};
 
 /// What a look does with a scene.
@@ -77,25 +77,11 @@ fn check<L: Look<Color = Rgb888, Shading = Rgb888>, Same: Look<Color = Rgb888, S
 fn check_orders<L, Reversed, Same>()
 where
     L: Look<Color = Rgb888, Shading = Rgb888>,
-    Reversed: Look<
-            Color = Rgb888,
-            Shading = Rgb888,
-            Precision = L::Precision,
-            Depth = L::Depth,
-            Counting = L::Counting,
-            Silhouettes = L::Silhouettes,
-        >,
-    Same: Look<
-            Color = Rgb888,
-            Shading = Rgb888,
-            Precision = L::Precision,
-            Depth = L::Depth,
-            Counting = L::Counting,
-            Silhouettes = L::Silhouettes,
-        >,
+    Reversed: SameTypes<L>,
+    Same: SameTypes<L>,
 {
     assert_same_items::<L, Same>();
-    assert_same_items::<Reversed, Same>();
+    assert_same_items::<L, Reversed>();
     check::<L, Reversed>();
 }
 

@@ -127,11 +127,20 @@ fn draw_pairs<H: Skinned<Color = Rgb565>>() {
     check::<Unhurried<Fine<Counted<H>>>, Named<H, Sub8, u16, true, true>>();
 }
 
-/// A look of which all types and constants are those of another: it draws the same, because nothing else of a look says what is
-/// drawn.
-pub fn assert_same_items<L, Same>()
-where
-    L: Look,
+/// Looks of which all types are those of a look `L`.
+pub trait SameTypes<L: Look>:
+    Look<
+        Color = L::Color,
+        Shading = L::Shading,
+        Precision = L::Precision,
+        Depth = L::Depth,
+        Counting = L::Counting,
+        Silhouettes = L::Silhouettes,
+    >
+{
+}
+
+impl<L: Look, Same> SameTypes<L> for Same where
     Same: Look<
             Color = L::Color,
             Shading = L::Shading,
@@ -139,8 +148,13 @@ where
             Depth = L::Depth,
             Counting = L::Counting,
             Silhouettes = L::Silhouettes,
-        >,
+        >
 {
+}
+
+/// A look of which all types and constants are those of another: it draws the same, because nothing else of a look says what is
+/// drawn.
+pub fn assert_same_items<L: Look, Same: SameTypes<L>>() {
     fn constants<L: Look>() -> [bool; 5] {
         [
             L::CLIPS,
