@@ -7,7 +7,7 @@ use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{InputError, Sub4, Sub8, TooSmall},
-    scene::{Camera, DepthWidth, Memory, Pose, Rotation, ScreenPrecision, Whole},
+    scene::{Camera, DepthWidth, Memory, Pose, Rotation, ScreenPrecision},
 };
 use zrow_methods::LookOf;
 
@@ -188,7 +188,7 @@ fn the_far_plane_cuts_to_the_unit() {
             let prepared = memory.prepare(&camera, &models).unwrap();
             assert_eq!(prepared.vertices_needed() > 3, is_cut, "{behind}");
             assert!(prepared.faces().count() > 0);
-            let mut whole = Memory::<Whole<LookOf<Rgb888, S, D>>, 3, 1, 128, 40, 1>::new();
+            let mut whole = Memory::<LookOf<Rgb888, S, D, false>, 3, 1, 128, 40, 1>::new();
             assert_eq!(whole.prepare(&camera, &models).err(), None, "{behind}");
         }
     }

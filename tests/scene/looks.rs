@@ -14,7 +14,7 @@ use zrow_methods::LookOf;
 
 use crate::common::meshes;
 use crate::numbered_scene::{Scene, area};
-use crate::shading_looks::{SameTypes, assert_same_items};
+use crate::shading_looks::assert_same_items;
 use crate::snapped_faces::{at, camera, standard_pose};
 
 /// What a look does with a scene.
@@ -46,7 +46,7 @@ fn outcome<L: Look<Color = Rgb888, Shading = Rgb888>>() -> Outcome {
     let camera = camera(area).with_scale(I8F24::from_num(0.05)).unwrap();
     let turned = scene.models(standard_pose(5));
     let near = scene.models(Pose::new(Rotation::IDENTITY, at(0, 0, 300)));
-    let mut few = Box::new(Memory::<L, 600, 600, 128, 64, 10>::new());
+    let mut few = Box::new(Memory::<L, 900, 600, 128, 64, 10>::new());
     Outcome {
         picture: picture::<L>(&turned, &camera, area),
         behind: few.prepare(&camera, &near).err(),
@@ -72,17 +72,26 @@ fn check<L: Look<Color = Rgb888, Shading = Rgb888>, Same: Look<Color = Rgb888, S
     );
 }
 
-/// Whether a pair of wrappers in both orders draws the same, and both name what a look of the methods crate has. That one is not
-/// drawn: each look that draws takes half a second to compile.
-fn check_orders<L, Reversed, Same>()
-where
-    L: Look<Color = Rgb888, Shading = Rgb888>,
-    Reversed: SameTypes<L>,
-    Same: SameTypes<L>,
-{
-    assert_same_items::<L, Same>();
-    assert_same_items::<L, Reversed>();
-    check::<L, Reversed>();
+/// Whether a look draws the picture of another one, and refuses what it says: a corner behind the camera where it cuts no faces,
+/// and too few slots where it does not draw in passes.
+fn check_picture<L: Look<Color = Rgb888, Shading = Rgb888>, Same: Look<Color = Rgb888, Shading = Rgb888>>() {
+    let found = outcome::<L>();
+    assert!(found.picture == outcome::<Same>().picture, "the picture is another one");
+    let too_few = |error: Option<InputError>| matches!(error, Some(InputError::TooSmall(TooSmall::ActiveFaces(11..))));
+    assert_eq!(too_few(found.crowded), !L::DRAWS_IN_PASSES);
+    match found.behind {
+        Some(InputError::BeforeNearPlane { model: 0 } | InputError::BeyondGuardBand { model: 0 }) => assert!(!L::CLIPS),
+        None => assert!(L::CLIPS && L::DRAWS_IN_PASSES),
+        error => assert!(L::CLIPS && too_few(error), "{error:?}"),
+    }
+}
+
+/// Compares the items of looks with two wrappers in both orders, which all those of a list have that name the same.
+macro_rules! check_orders {
+    ($($one:ident<$other:ident<Rgb888>> as $named:ty;)+) => {$(
+        assert_same_items::<$one<$other<Rgb888>>, $named>();
+        assert_same_items::<$other<$one<Rgb888>>, $named>();
+    )+};
 }
 
 #[test]
@@ -95,8 +104,9 @@ fn each_wrapper_changes_one_thing() {
     check::<Deep<Rgb888>, LookOf<Rgb888, Sub4, u32, true, true>>();
     check::<Whole<Rgb888>, LookOf<Rgb888, Sub4, u16, false, true>>();
     check::<OnePass<Rgb888>, LookOf<Rgb888, Sub4, u16, true, false>>();
-
-    check::<Orthographic<Rgb888>, Orthographic<LookOf<Rgb888, Sub4, u16, true, true>>>();
+    check_picture::<Whole<Rgb888>, Rgb888>();
+    check_picture::<OnePass<Rgb888>, Rgb888>();
+    assert_same_items::<Orthographic<Rgb888>, Orthographic<LookOf<Rgb888, Sub4, u16, true, true>>>();
 
     assert!(
         outcome::<Orthographic<Rgb888>>().picture != plain.picture,
@@ -106,110 +116,76 @@ fn each_wrapper_changes_one_thing() {
         outcome::<Fine<Rgb888>>().picture != plain.picture,
         "1/256 pixel moves some edge"
     );
-    let whole = outcome::<Whole<Rgb888>>();
-    assert_eq!(whole.behind, Some(InputError::BeforeNearPlane { model: 0 }));
-    let crowded = outcome::<OnePass<Rgb888>>().crowded;
-    assert!(
-        matches!(crowded, Some(InputError::TooSmall(TooSmall::ActiveFaces(11..)))),
-        "{crowded:?}"
-    );
 }
 
+/// All types and constants of a look are the same in whichever order its wrappers are, so that only one of both has to be drawn:
+/// each look that draws takes half a second to compile.
 #[test]
-fn every_pair_of_wrappers_goes_in_both_orders() {
-    check_orders::<Fine<Deep<Rgb888>>, Deep<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u32, true, true>>();
-    check_orders::<Fine<Whole<Rgb888>>, Whole<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u16, false, true>>();
-    check_orders::<Fine<OnePass<Rgb888>>, OnePass<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u16, true, false>>();
-    check_orders::<Deep<Whole<Rgb888>>, Whole<Deep<Rgb888>>, LookOf<Rgb888, Sub4, u32, false, true>>();
-    check_orders::<Deep<OnePass<Rgb888>>, OnePass<Deep<Rgb888>>, LookOf<Rgb888, Sub4, u32, true, false>>();
-    check_orders::<Whole<OnePass<Rgb888>>, OnePass<Whole<Rgb888>>, LookOf<Rgb888, Sub4, u16, false, false>>();
-    check_orders::<
-        Orthographic<Fine<Rgb888>>,
-        Fine<Orthographic<Rgb888>>,
-        Orthographic<LookOf<Rgb888, Sub8, u16, true, true>>,
-    >();
-    check_orders::<
-        Orthographic<Deep<Rgb888>>,
-        Deep<Orthographic<Rgb888>>,
-        Orthographic<LookOf<Rgb888, Sub4, u32, true, true>>,
-    >();
-    check_orders::<
-        Orthographic<Whole<Rgb888>>,
-        Whole<Orthographic<Rgb888>>,
-        Orthographic<LookOf<Rgb888, Sub4, u16, false, true>>,
-    >();
-    check_orders::<
-        Orthographic<OnePass<Rgb888>>,
-        OnePass<Orthographic<Rgb888>>,
-        Orthographic<LookOf<Rgb888, Sub4, u16, true, false>>,
-    >();
-    check_orders::<
-        DoubleSided<Fine<Rgb888>>,
-        Fine<DoubleSided<Rgb888>>,
-        DoubleSided<LookOf<Rgb888, Sub8, u16, true, true>>,
-    >();
-    check_orders::<
-        DoubleSided<Deep<Rgb888>>,
-        Deep<DoubleSided<Rgb888>>,
-        DoubleSided<LookOf<Rgb888, Sub4, u32, true, true>>,
-    >();
-    check_orders::<
-        DoubleSided<Whole<Rgb888>>,
-        Whole<DoubleSided<Rgb888>>,
-        DoubleSided<LookOf<Rgb888, Sub4, u16, false, true>>,
-    >();
-    check_orders::<
-        DoubleSided<OnePass<Rgb888>>,
-        OnePass<DoubleSided<Rgb888>>,
-        DoubleSided<LookOf<Rgb888, Sub4, u16, true, false>>,
-    >();
-    check_orders::<
-        Antialiased<Fine<Rgb888>>,
-        Fine<Antialiased<Rgb888>>,
-        Antialiased<LookOf<Rgb888, Sub8, u16, true, true>>,
-    >();
-    check_orders::<
-        Antialiased<Deep<Rgb888>>,
-        Deep<Antialiased<Rgb888>>,
-        Antialiased<LookOf<Rgb888, Sub4, u32, true, true>>,
-    >();
-    check_orders::<
-        Antialiased<Whole<Rgb888>>,
-        Whole<Antialiased<Rgb888>>,
-        Antialiased<LookOf<Rgb888, Sub4, u16, false, true>>,
-    >();
-    check_orders::<
-        Antialiased<OnePass<Rgb888>>,
-        OnePass<Antialiased<Rgb888>>,
-        Antialiased<LookOf<Rgb888, Sub4, u16, true, false>>,
-    >();
-    check_orders::<
-        Antialiased<Orthographic<Rgb888>>,
-        Orthographic<Antialiased<Rgb888>>,
-        Orthographic<Antialiased<LookOf<Rgb888, Sub4, u16, true, true>>>,
-    >();
-    check_orders::<
-        Antialiased<DoubleSided<Rgb888>>,
-        DoubleSided<Antialiased<Rgb888>>,
-        DoubleSided<Antialiased<LookOf<Rgb888, Sub4, u16, true, true>>>,
-    >();
-    check_orders::<
-        DoubleSided<Orthographic<Rgb888>>,
-        Orthographic<DoubleSided<Rgb888>>,
-        Orthographic<DoubleSided<LookOf<Rgb888, Sub4, u16, true, true>>>,
-    >();
+fn every_pair_of_wrappers_names_the_same_in_both_orders() {
+    check_orders! {
+        Fine<Deep<Rgb888>> as LookOf<Rgb888, Sub8, u32, true, true>;
+        Fine<Whole<Rgb888>> as LookOf<Rgb888, Sub8, u16, false, true>;
+        Fine<OnePass<Rgb888>> as LookOf<Rgb888, Sub8, u16, true, false>;
+        Deep<Whole<Rgb888>> as LookOf<Rgb888, Sub4, u32, false, true>;
+        Deep<OnePass<Rgb888>> as LookOf<Rgb888, Sub4, u32, true, false>;
+        Whole<OnePass<Rgb888>> as LookOf<Rgb888, Sub4, u16, false, false>;
+        Orthographic<Fine<Rgb888>> as Orthographic<LookOf<Rgb888, Sub8, u16, true, true>>;
+        Orthographic<Deep<Rgb888>> as Orthographic<LookOf<Rgb888, Sub4, u32, true, true>>;
+        Orthographic<Whole<Rgb888>> as Orthographic<LookOf<Rgb888, Sub4, u16, false, true>>;
+        Orthographic<OnePass<Rgb888>> as Orthographic<LookOf<Rgb888, Sub4, u16, true, false>>;
+        DoubleSided<Fine<Rgb888>> as DoubleSided<LookOf<Rgb888, Sub8, u16, true, true>>;
+        DoubleSided<Deep<Rgb888>> as DoubleSided<LookOf<Rgb888, Sub4, u32, true, true>>;
+        DoubleSided<Whole<Rgb888>> as DoubleSided<LookOf<Rgb888, Sub4, u16, false, true>>;
+        DoubleSided<OnePass<Rgb888>> as DoubleSided<LookOf<Rgb888, Sub4, u16, true, false>>;
+        Antialiased<Fine<Rgb888>> as Antialiased<LookOf<Rgb888, Sub8, u16, true, true>>;
+        Antialiased<Deep<Rgb888>> as Antialiased<LookOf<Rgb888, Sub4, u32, true, true>>;
+        Antialiased<Whole<Rgb888>> as Antialiased<LookOf<Rgb888, Sub4, u16, false, true>>;
+        Antialiased<OnePass<Rgb888>> as Antialiased<LookOf<Rgb888, Sub4, u16, true, false>>;
+        Antialiased<Orthographic<Rgb888>> as Orthographic<Antialiased<LookOf<Rgb888, Sub4, u16, true, true>>>;
+        Antialiased<DoubleSided<Rgb888>> as DoubleSided<Antialiased<LookOf<Rgb888, Sub4, u16, true, true>>>;
+        DoubleSided<Orthographic<Rgb888>> as Orthographic<DoubleSided<LookOf<Rgb888, Sub4, u16, true, true>>>;
+    }
+}
+
+/// Each pair of wrappers draws what one of them alone does where the other one only says what is refused, and what the pair in
+/// the other order does where both may change the picture.
+#[test]
+fn every_pair_of_wrappers_draws() {
+    check_picture::<Fine<Whole<Rgb888>>, Fine<Rgb888>>();
+    check_picture::<Fine<OnePass<Rgb888>>, Fine<Rgb888>>();
+    check_picture::<Deep<Whole<Rgb888>>, Deep<Rgb888>>();
+    check_picture::<Deep<OnePass<Rgb888>>, Deep<Rgb888>>();
+    check_picture::<Whole<OnePass<Rgb888>>, Rgb888>();
+    check_picture::<Orthographic<Whole<Rgb888>>, Orthographic<Rgb888>>();
+    check_picture::<Orthographic<OnePass<Rgb888>>, Orthographic<Rgb888>>();
+    check_picture::<Antialiased<Whole<Rgb888>>, Antialiased<Rgb888>>();
+    check_picture::<Antialiased<OnePass<Rgb888>>, Antialiased<Rgb888>>();
+    check_picture::<DoubleSided<Whole<Rgb888>>, DoubleSided<Rgb888>>();
+    check_picture::<DoubleSided<OnePass<Rgb888>>, DoubleSided<Rgb888>>();
+
+    check::<Fine<Deep<Rgb888>>, Deep<Fine<Rgb888>>>();
+    check::<Orthographic<Fine<Rgb888>>, Fine<Orthographic<Rgb888>>>();
+    check::<Orthographic<Deep<Rgb888>>, Deep<Orthographic<Rgb888>>>();
+    check::<Antialiased<Fine<Rgb888>>, Fine<Antialiased<Rgb888>>>();
+    check::<Antialiased<Deep<Rgb888>>, Deep<Antialiased<Rgb888>>>();
+    check::<Antialiased<Orthographic<Rgb888>>, Orthographic<Antialiased<Rgb888>>>();
+    check::<DoubleSided<Fine<Rgb888>>, Fine<DoubleSided<Rgb888>>>();
+    check::<DoubleSided<Deep<Rgb888>>, Deep<DoubleSided<Rgb888>>>();
+    check::<DoubleSided<Orthographic<Rgb888>>, Orthographic<DoubleSided<Rgb888>>>();
+    check::<DoubleSided<Antialiased<Rgb888>>, Antialiased<DoubleSided<Rgb888>>>();
 }
 
 #[test]
 fn wrappers_go_around_each_other_and_twice() {
-    check::<Whole<Deep<OnePass<Fine<Rgb888>>>>, LookOf<Rgb888, Sub8, u32, false, false>>();
-    check::<Counted<Rgb888>, LookOf<Rgb888, Sub4, u16, true, true>>();
-    check::<Unhurried<Rgb888>, LookOf<Rgb888, Sub4, u16, true, true>>();
-    check::<Counted<Fine<Unhurried<Rgb888>>>, LookOf<Rgb888, Sub8, u16, true, true>>();
-    check::<Unhurried<Whole<Counted<Deep<Rgb888>>>>, LookOf<Rgb888, Sub4, u32, false, true>>();
-    check::<Deep<Counted<OnePass<Rgb888>>>, LookOf<Rgb888, Sub4, u32, true, false>>();
-    check::<Fine<Fine<Rgb888>>, LookOf<Rgb888, Sub8, u16, true, true>>();
-    check::<Whole<Orthographic<Deep<OnePass<Fine<Rgb888>>>>>, Orthographic<LookOf<Rgb888, Sub8, u32, false, false>>>();
+    check_picture::<Whole<Deep<OnePass<Fine<Rgb888>>>>, Fine<Deep<Rgb888>>>();
+    check_picture::<Counted<Rgb888>, Rgb888>();
+    check_picture::<Unhurried<Rgb888>, Rgb888>();
+    check_picture::<Counted<Fine<Unhurried<Rgb888>>>, Fine<Rgb888>>();
+    check_picture::<Unhurried<Whole<Counted<Deep<Rgb888>>>>, Deep<Rgb888>>();
+    check_picture::<Deep<Counted<OnePass<Rgb888>>>, Deep<Rgb888>>();
+    check_picture::<Whole<Orthographic<Deep<OnePass<Fine<Rgb888>>>>>, Fine<Deep<Orthographic<Rgb888>>>>();
+    assert_same_items::<Whole<Deep<OnePass<Fine<Rgb888>>>>, LookOf<Rgb888, Sub8, u32, false, false>>();
+    assert_same_items::<Fine<Fine<Rgb888>>, Fine<Rgb888>>();
 }
 
 /// What a look does not name takes no memory: the tables of the plainest one have 6 bytes a vertex.

@@ -126,15 +126,15 @@ proptest! {
     }
 }
 
-const COLORS: [Rgb565; 4] = [Rgb565::RED, Rgb565::GREEN, Rgb565::BLUE, Rgb565::WHITE];
+const COLORS: [Rgb888; 4] = [Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE, Rgb888::WHITE];
 
 /// The picture of a scene in bands of so many rows; `None` where it cannot be prepared.
 fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
     camera: &Camera,
-    models: &[Model<'_, Rgb565>],
+    models: &[Model<'_, Rgb888>],
     rows: u32,
-) -> Result<Vec<u16>, InputError> {
-    let mut memory = Box::new(Memory::<LookOf<Rgb565, S, D, CUTS>, 256, 8, 128, 48, 64>::new());
+) -> Result<Vec<u32>, InputError> {
+    let mut memory = Box::new(Memory::<LookOf<Rgb888, S, D, CUTS>, 256, 8, 128, 48, 64>::new());
     let mut prepared = memory.prepare(camera, models)?;
     let viewport = camera.viewport();
     let (width, height) = (viewport.width(), viewport.height());
@@ -143,7 +143,7 @@ fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
         let top = viewport.top + band as i32 * rows as i32;
         let corner = Point::new(viewport.left, top);
         let size = Size::new(width, words.len() as u32 / width);
-        let mut band = Band::<Rgb565>::new(Rectangle::new(corner, size), words).unwrap();
+        let mut band = Band::<Rgb888>::new(Rectangle::new(corner, size), words).unwrap();
         prepared.draw(&mut band);
     }
     assert!(prepared.faces().count() <= 8 + 8 * 6);
@@ -152,7 +152,7 @@ fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
 
 fn check_scene<S: ScreenPrecision, D: DepthWidth>(
     camera: &Camera,
-    models: &[Model<'_, Rgb565>],
+    models: &[Model<'_, Rgb888>],
 ) -> Result<(), TestCaseError> {
     let whole = scene::<S, D, true>(camera, models, 48);
     match &whole {
