@@ -140,13 +140,22 @@ struct Seams {
 }
 
 impl Seams {
-    fn add_frame(&mut self, mesh: &Mesh, camera: &Camera, owners: &[Option<usize>], numbers: &[u32], sub_pixels: f64) {
+    /// Adds a frame of colours that are divided in each row at both ends of a span and at each `step`th column, and step evenly
+    /// in between: pixels below one another are compared in those columns.
+    fn add_frame(
+        &mut self,
+        mesh: &Mesh,
+        camera: &Camera,
+        owners: &[Option<usize>],
+        numbers: &[u32],
+        sub_pixels: f64,
+        step: usize,
+    ) {
         let corners = |face: usize| mesh.faces[face].map(|vertex| mesh.vertices[usize::from(vertex)]);
         for index in 0..WIDTH * HEIGHT {
             let (column, row) = (index % WIDTH, index / WIDTH);
             let right = (column + 1 < WIDTH).then_some((column + 1, row));
-            // Rows are divided at both ends of a span and at each 16th column, and step evenly in between.
-            let below = (row + 1 < HEIGHT && column % 16 == 0).then_some((column, row + 1));
+            let below = (row + 1 < HEIGHT && column % step == 0).then_some((column, row + 1));
             for (other_column, other_row) in [right, below].into_iter().flatten() {
                 let other = other_row * WIDTH + other_column;
                 let (Some(one), Some(two)) = (owners[index], owners[other]) else {
@@ -183,10 +192,10 @@ fn is_cut(camera: &Camera, corners: [[i16; 3]; 3]) -> bool {
     })
 }
 
-/// Flies, and checks each frame.
-fn fly<N, O>() -> Seams
+/// Flies, and checks each frame. The colours of `N` are divided at each `STEP`th column.
+fn fly<N, O, const STEP: i32>() -> Seams
 where
-    N: Look<Color = Rgb888, Shading = InSpace<1>>,
+    N: Look<Color = Rgb888, Shading = InSpace<1, 0, STEP>>,
     O: Look<Color = Rgb888, Shading = Rgb888>,
 {
     let mesh = ring();
@@ -212,7 +221,7 @@ where
             &mut memory.prepare(&camera, &scene.models(Pose::IDENTITY)).unwrap(),
             area,
         );
-        let models = [model::<InSpace<1>, 1>(&mesh, &numbers, 0)];
+        let models = [model::<InSpace<1, 0, STEP>, 1>(&mesh, &numbers, 0)];
         let colors = words(&mut shaded_memory.prepare(&camera, &models).unwrap(), area);
         seams.add_frame(
             &mesh,
@@ -220,6 +229,7 @@ where
             &owners,
             &colors,
             f64::from(1 << O::Precision::FRACTION_BITS),
+            STEP as usize,
         );
 
         let mut balance = vec![[0i32; 2]; WIDTH * HEIGHT];
@@ -246,7 +256,7 @@ where
 
 #[test]
 fn a_flight_at_sixteenths_has_no_seam() {
-    let seams = fly::<InSpace<1>, Rgb888>();
+    let seams = fly::<InSpace<1>, Rgb888, 16>();
     assert!(
         seams.pairs > 70_000 && seams.cut > 5_000 && seams.largest <= 1.0,
         "{seams:?}"
@@ -255,9 +265,19 @@ fn a_flight_at_sixteenths_has_no_seam() {
 
 #[test]
 fn a_flight_at_256ths_has_no_seam() {
-    let seams = fly::<Fine<Deep<InSpace<1>>>, Fine<Deep<Rgb888>>>();
+    let seams = fly::<Fine<Deep<InSpace<1>>>, Fine<Deep<Rgb888>>, 16>();
     assert!(
         seams.pairs > 70_000 && seams.cut > 5_000 && seams.largest <= 1.0,
+        "{seams:?}"
+    );
+}
+
+/// Where a colour is divided at each pixel, there is no step to the pixel below in any column.
+#[test]
+fn a_flight_that_is_divided_at_each_pixel_has_no_seam() {
+    let seams = fly::<Fine<Deep<InSpace<1, 0, 1>>>, Fine<Deep<Rgb888>>, 1>();
+    assert!(
+        seams.pairs > 130_000 && seams.cut > 10_000 && seams.largest <= 1.0,
         "{seams:?}"
     );
 }
