@@ -33,7 +33,7 @@ fn in_stroke(line: &Line, half: f64, cap: LineCap, x: f64, y: f64) -> bool {
 #[test]
 fn lines_with_every_cap() {
     let mut random = Xorshift::new(0x11e5);
-    for index in 0..40 {
+    for index in 0..cases(16, 40) as usize {
         let mut end = || Point::new(random.between(-20, 60), random.between(-20, 60));
         let line = Line::new(end(), end());
         if line.start.x == line.end.x || line.start.y == line.end.y {

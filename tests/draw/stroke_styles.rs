@@ -263,7 +263,7 @@ fn dashes_do_not_drift_along_a_long_path() {
         .collect();
     units.extend([(300, 700), (15_000, 9_100), (500, 15_000)]);
     let mut compared = 0;
-    for length in (0..cases(5, 12)).map(|index| 150_001 + 7_919 * index) {
+    for length in (0..cases(3, 12)).map(|index| 150_001 + 7_919 * index) {
         for (cap, join) in [
             (LineCap::Butt, LineJoin::Bevel),
             (LineCap::Round, LineJoin::Round),
@@ -385,7 +385,10 @@ fn extreme_strokes_do_not_wrap() {
 /// More primitives in every row than are told apart at once, on top of each other and beside each other.
 #[test]
 fn dashes_of_a_dense_zigzag_are_exact() {
-    for (step, width) in [(1, 1), (2, 1), (6, 2), (40, 3), (7, 5)] {
+    for (step, width) in [(1, 1), (40, 3), (2, 1), (6, 2), (7, 5)]
+        .into_iter()
+        .take(cases(2, 5) as usize)
+    {
         for (cap, join) in [(LineCap::Butt, LineJoin::MITER), (LineCap::Round, LineJoin::Round)] {
             let teeth = (0..90).map(|tooth| {
                 (
