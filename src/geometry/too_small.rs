@@ -8,7 +8,7 @@ use core::fmt::{self, Display};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum TooSmall {
-    /// Edges of a polygon.
+    /// Edges of a polygon, or of a mesh.
     Edges(usize),
     /// Edges of a polygon that cross one row.
     ActiveEdges(usize),

@@ -59,7 +59,7 @@ mod silhouette_tables;
 mod silhouettes;
 
 pub use crate::{
-    mesh::{BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, FaceSet},
+    mesh::{BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Edge, EdgeKind, FaceSet},
     shade::InstructionSet,
     view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };

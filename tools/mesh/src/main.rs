@@ -10,6 +10,7 @@ use anyhow::{Context, ensure};
 use clap::Parser;
 use zrow_mesh::{
     convert,
+    edges::Beside,
     levels::MOST_LEVELS,
     mesh::{Mesh, Options},
     module::{self, Module, Origin},
@@ -152,10 +153,11 @@ fn report(mesh: &Mesh, module: &Module, options: Options) {
         );
     }
     if let Some(edges) = &mesh.edges {
+        let smooth = edges.iter().filter(|edge| matches!(edge.beside, Beside::Smooth(_)));
         eprintln!(
             "{} edges, {} of them boundaries and creases",
-            grouped(edges.table.len()),
-            grouped(edges.sharp)
+            grouped(edges.len()),
+            grouped(edges.len() - smooth.count())
         );
     }
     eprintln!("{} bytes of flash", grouped(module.bytes));

@@ -1,7 +1,7 @@
 //! What a module holds, before it is written.
 
 use crate::{
-    edges::Edges,
+    edges::Edge,
     level::Level,
     octahedral,
     quantize::Up,
@@ -42,7 +42,7 @@ pub struct Mesh {
     /// Coarser meshes, each with about half of the faces of the one before.
     pub levels: Vec<Level>,
     /// Edges of the finest mesh.
-    pub edges: Option<Edges>,
+    pub edges: Option<Vec<Edge>>,
     /// Triangles without an area after rounding.
     pub dropped: usize,
     /// The greatest distance by which a vertex moved when it was rounded.

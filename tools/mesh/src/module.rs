@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::{
-    edges::Edges,
+    edges::{Beside, Edge},
     level::{Level, pick_from},
     mesh::{Mesh, Options},
     module_parts::{grouped, plain, quoted, write_lines},
@@ -88,7 +88,7 @@ fn bytes(mesh: &Mesh) -> usize {
         + 4 * mesh.coordinates.len()
         + texture
         + levels
-        + mesh.edges.as_ref().map_or(0, |edges| 8 * edges.table.len())
+        + mesh.edges.as_ref().map_or(0, |edges| 8 * edges.len())
 }
 
 fn head(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>, bytes: usize) -> String {
@@ -108,6 +108,11 @@ fn head(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>, bytes: us
         let _ = write!(arguments, " --name {name}");
     }
     let levels = how_to_pick(mesh, name);
+    let names = if mesh.edges.is_some() {
+        "{Edge, FaceSet}"
+    } else {
+        "FaceSet"
+    };
     format!(
         "//! {}: {} vertices, {} faces, {} bytes of flash.\n\
          //!\n\
@@ -116,7 +121,7 @@ fn head(mesh: &Mesh, options: Options, name: &str, origin: Origin<'_>, bytes: us
          //! cargo run --release -- mesh {arguments}\n\
          //! ```\n{levels}\n\
          use embedded_graphics::pixelcolor::Rgb565;\n\
-         use zrow::scene::FaceSet;\n",
+         use zrow::scene::{names};\n",
         plain(origin.file),
         grouped(mesh.vertices.len()),
         grouped(mesh.faces.len()),
@@ -274,30 +279,20 @@ fn write_coordinates(to: &mut String, mesh: &Mesh, name: &str) -> std::fmt::Resu
     write_table(to, &begin, mesh.coordinates.len(), coordinates)
 }
 
-fn write_edges(to: &mut String, edges: &Edges, crease: u8, name: &str) -> std::fmt::Result {
-    writeln!(
-        to,
-        "\n/// How many of the edges, the first ones, are boundaries, or creases at which faces turn by more than\n\
-         /// {crease} degrees: they are drawn where one of their faces is seen. The others are drawn where one is seen\n\
-         /// and one is not: silhouettes.\n\
-         #[rustfmt::skip]\n\
-         pub const {name}_SHARP_EDGES: usize = {};",
-        edges.sharp
-    )?;
+fn write_edges(to: &mut String, edges: &[Edge], crease: u8, name: &str) -> std::fmt::Result {
     write!(
         to,
-        "\n/// Edges: two vertices each, then the faces on both sides, the same one twice at a boundary."
+        "\n/// Edges, for `Prepared::edges`: at creases faces turn by more than {crease} degrees."
     )?;
-    let lines = edges
-        .table
-        .iter()
-        .map(|[a, b, one, other]| format!("[{a}, {b}, {one}, {other}],"));
-    write_table(
-        to,
-        &format!("pub static {name}_EDGES: [[u16; 4]; "),
-        edges.table.len(),
-        lines,
-    )
+    let lines = edges.iter().map(|edge| {
+        let [a, b] = edge.vertices;
+        match edge.beside {
+            Beside::Boundary(face) => format!("Edge::boundary([{a}, {b}], {face}),"),
+            Beside::Crease([one, other]) => format!("Edge::crease([{a}, {b}], [{one}, {other}]),"),
+            Beside::Smooth([one, other]) => format!("Edge::smooth([{a}, {b}], [{one}, {other}]),"),
+        }
+    });
+    write_table(to, &format!("pub static {name}_EDGES: [Edge; "), edges.len(), lines)
 }
 
 fn write_texture(to: &mut String, texture: &Texture, name: &str) -> std::fmt::Result {

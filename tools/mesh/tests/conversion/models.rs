@@ -6,7 +6,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use png::{BitDepth, ColorType};
 use zrow::{
     band::Band,
-    fixed::types::{I16F16, U0F16},
+    fixed::types::{I2F14, I16F16, U0F16},
     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},
 };
 use zrow_mesh::{
@@ -24,7 +24,11 @@ fn the_checked_in_module_is_what_is_converted_today() {
         ("letter.mtl", include_bytes!("models/letter.mtl")),
         ("letter.png", include_bytes!("models/letter.png")),
     ];
-    let options = Options { size: 512, ..OPTIONS };
+    let options = Options {
+        size: 512,
+        edges: Some(30),
+        ..OPTIONS
+    };
     let mesh = convert(include_bytes!("models/letter.obj"), "letter.obj", beside, options).unwrap();
     let origin = Origin {
         file: "letter.obj",
@@ -45,8 +49,12 @@ fn the_checked_in_module_is_what_is_converted_today() {
         + size_of_val(&letter::LETTER_COLORS)
         + size_of_val(&letter::LETTER_NORMALS)
         + size_of_val(&letter::LETTER_COORDINATES)
-        + size_of_val(&letter::LETTER_TEXTURE);
+        + size_of_val(&letter::LETTER_TEXTURE)
+        + size_of_val(&letter::LETTER_EDGES);
     assert_eq!(module.bytes, bytes);
+    let faces = letter::LETTER.faces().try_into().unwrap();
+    let edges = FaceSet::find_edges::<16, 15>(letter::LETTER.vertices(), faces, I2F14::lit("0.866"));
+    assert_eq!(edges, Ok(letter::LETTER_EDGES));
 }
 
 /// The sum of the faces' areas, each seen along z.

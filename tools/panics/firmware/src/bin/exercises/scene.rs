@@ -10,7 +10,7 @@ use zrow::{
     geometry::{Sub4, Sub8},
     scene::{
         Antialiased, BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Counted, Counters, Deep,
-        DepthWidth, DoubleSided, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model, OnePass, Orthographic,
+        DepthWidth, DoubleSided, Edge, EdgeKind, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model, OnePass, Orthographic,
         Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
     shade::{
@@ -167,6 +167,16 @@ fn model() {
     keep(FaceSet::with_neighbours(any(), any()));
     keep(FaceSet::neighbours(any()));
     keep(FaceSet::find_neighbours::<12>(any()));
+    keep(FaceSet::find_edges::<12, 18>(any(), any(), any()));
+    keep(FaceSet::count_edges::<12>(any(), any()));
+    keep(Edge::boundary(any(), any()));
+    keep(Edge::crease(any(), any()));
+    keep(Edge::smooth(any(), any()));
+    keep(Edge::vertices(any()));
+    keep(Edge::faces(any()));
+    keep(Edge::kind(any()));
+    eq::<Edge>();
+    eq::<EdgeKind>();
     keep(BoundingBox::around(any()));
     keep(BoundingBox::joined(any(), any()));
     eq::<BoundingBox>();

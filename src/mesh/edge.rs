@@ -1,0 +1,105 @@
+//! An edge of a mesh, as it lies in flash.
+
+use crate::mesh::neighbours::NO_NEIGHBOUR;
+
+/// What an edge of a mesh is, when the mesh is drawn as lines.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum EdgeKind {
+    /// Only one face has the edge: the surface ends there.
+    Boundary,
+    /// The faces on both sides turn by more than an angle from one to the other, as at the edge of a box; or more than two
+    /// faces meet in the edge.
+    Crease,
+    /// The faces on both sides turn by less, as on a ball: the edge is drawn only where it is a silhouette.
+    Smooth,
+}
+
+/// An edge of a [`FaceSet`](crate::scene::FaceSet): two vertices, the faces on both sides, and its [`EdgeKind`]. 8 bytes.
+///
+/// [`FaceSet::find_edges`](crate::scene::FaceSet::find_edges) finds the edges of a mesh, the mesh converter writes them with
+/// `--edges 30`, and [`Prepared::edges`](crate::scene::Prepared::edges) says where they are on the screen.
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Edge {
+    vertices: [u16; 2],
+    /// The order says the kind: of a smooth edge ascending, of a crease descending or twice the same, and a boundary has
+    /// [`NO_NEIGHBOUR`] as its second one.
+    faces: [u16; 2],
+}
+
+impl Edge {
+    /// What fills a table up behind its edges: without faces, so that it is never drawn.
+    pub(super) const NONE: Self = Self::boundary([0; 2], NO_NEIGHBOUR);
+
+    /// An edge that only one face has, by the indices of its vertices and of the face.
+    pub const fn boundary(vertices: [u16; 2], face: u16) -> Self {
+        Self {
+            vertices,
+            faces: [face, NO_NEIGHBOUR],
+        }
+    }
+
+    /// An edge at which two faces turn much: drawn where one of them is seen. By the indices of its vertices and faces;
+    /// twice the same face where the crease has no other, as one of three that meet in it.
+    pub const fn crease(vertices: [u16; 2], [one, other]: [u16; 2]) -> Self {
+        let faces = if one < other { [other, one] } else { [one, other] };
+        Self { vertices, faces }
+    }
+
+    /// An edge at which two different faces turn little: drawn where one of them is seen from the front and the other one
+    /// from behind. By the indices of its vertices and faces.
+    pub const fn smooth(vertices: [u16; 2], [one, other]: [u16; 2]) -> Self {
+        let faces = if one < other { [one, other] } else { [other, one] };
+        Self { vertices, faces }
+    }
+
+    /// The indices of its ends among the vertices of the mesh.
+    pub const fn vertices(&self) -> [u16; 2] {
+        self.vertices
+    }
+
+    /// The indices of the faces on both sides among those of the mesh, the lower one first; a boundary has
+    /// [`FaceSet::NO_NEIGHBOUR`](crate::scene::FaceSet::NO_NEIGHBOUR) as its second.
+    pub const fn faces(&self) -> [u16; 2] {
+        let [one, other] = self.faces;
+        if one < other { [one, other] } else { [other, one] }
+    }
+
+    /// What the edge is, when the mesh is drawn as lines.
+    pub const fn kind(&self) -> EdgeKind {
+        let [one, other] = self.faces;
+        if other == NO_NEIGHBOUR {
+            EdgeKind::Boundary
+        } else if one < other {
+            EdgeKind::Smooth
+        } else {
+            EdgeKind::Crease
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_edge_has_what_it_was_made_of() {
+        for faces in [[3, 8], [8, 3]] {
+            let crease = Edge::crease([5, 2], faces);
+            let smooth = Edge::smooth([5, 2], faces);
+            assert_eq!((crease.kind(), smooth.kind()), (EdgeKind::Crease, EdgeKind::Smooth));
+            for edge in [crease, smooth] {
+                assert_eq!((edge.vertices(), edge.faces()), ([5, 2], [3, 8]));
+            }
+        }
+        let edge = Edge::boundary([5, 2], 3);
+        assert_eq!(
+            (edge.vertices(), edge.faces(), edge.kind()),
+            ([5, 2], [3, NO_NEIGHBOUR], EdgeKind::Boundary)
+        );
+        let edge = Edge::crease([5, 2], [3, 3]);
+        assert_eq!((edge.faces(), edge.kind()), ([3, 3], EdgeKind::Crease));
+        assert_eq!(size_of::<Edge>(), 8);
+    }
+}
