@@ -2,11 +2,11 @@
 //! [clips](crate::scene::Look::CLIPS).
 
 use crate::{
-    clip::convex::{Plane, Polygon, PolygonCorner, sutherland_hodgman},
+    clip::convex::{Plane, Polygon, PolygonCorner, cut_segment, sutherland_hodgman},
     scene::{
         Look, Model,
         frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
-        lens::has_far_plane,
+        lens::{ScreenVertexOf, has_far_plane, projection},
         off_screen::{eye_corner, guard_band, is_outside, project_corner},
         preparation::{Preparation, begin, rows_of_face, visible_rows},
     },
@@ -125,6 +125,49 @@ impl<L: Look> Preparation<'_, L> {
             attributes.copy_from_slice(&corners);
         }
     }
+}
+
+/// The ends on the screen of what the near plane, the far plane and the guard band leave of an edge between two vertices of a
+/// model; `None` where nothing is left.
+#[cold]
+#[inline(never)]
+pub(super) fn cut_edge<L: Look>(
+    camera: &Camera,
+    model: &Model<'_, L::Shading>,
+    [from, to]: [u16; 2],
+) -> Option<[ScreenVertexOf<L>; 2]> {
+    let projection = projection::<L>(camera);
+    let [from, to, _] = eye_corners::<L>(camera, model, &[from, to, to]);
+    let mut ends = cut_segment::<L::Precision>([from, to], &Plane::near(projection.near))?;
+    if has_far_plane::<L>(&projection) {
+        ends = cut_segment::<L::Precision>(ends, &Plane::far(projection.far))?;
+    }
+    for end in &mut ends {
+        project_corner::<L>(&projection, end);
+    }
+    for side in &guard_band::<L>() {
+        ends = cut_segment::<L::Precision>(ends, side)?;
+    }
+    Some(ends.map(inside))
+}
+
+/// From which side a face of a model is seen, or would be if it were on the screen: 1 from the front, -1 from behind, 0 where it
+/// is seen on edge. By the plane of the face in eye space, and on which side of that the camera is.
+#[cold]
+#[inline(never)]
+pub(super) fn side_in_eye_space<L: Look>(camera: &Camera, model: &Model<'_, L::Shading>, face: &[u16; 3]) -> i32 {
+    let [a, b, c] = eye_corners::<L>(camera, model, face).map(|corner| corner.map(|part| i128::from(part.into())));
+    // The camera is at the origin; where rays are parallel, only x and y of the normal's way matter. Coordinates are below
+    // 2^34 in size.
+    let cross = |[x, y, _]: [i128; 3], [u, v, _]: [i128; 3]| x * v - y * u;
+    let signed = if L::IS_ORTHOGRAPHIC {
+        cross(a, b) + cross(b, c) + cross(c, a)
+    } else {
+        let [[.., near_a], [.., near_b], [.., near_c]] = [a, b, c];
+        cross(a, b) * near_c + cross(b, c) * near_a + cross(c, a) * near_b
+    };
+    // With y up, what runs clockwise is negative.
+    -signed.signum() as i32
 }
 
 /// The corners of a face in eye space.

@@ -2,6 +2,8 @@
 
 use core::ops::Range;
 
+use embedded_graphics::geometry::Point;
+
 use crate::{
     geometry::SubPoint,
     scene::{
@@ -38,17 +40,26 @@ pub struct ScreenFace<S: ScreenPrecision, D> {
     pub corners: [Corner<S, D>; 3],
 }
 
+impl<S: ScreenPrecision, D: DepthWidth> Corner<S, D> {
+    pub(super) fn new(vertex: &ScreenVertex<S, D>) -> Option<Self> {
+        Some(Self {
+            point: SubPoint::from_units(vertex.x_units(), vertex.y_units()).ok()?,
+            depth: vertex.z,
+        })
+    }
+
+    /// The pixel that the corner is in: its position to the nearest pixel, halves to the right and down.
+    pub fn pixel(&self) -> Point {
+        let nearest = |units: i32| (units + (1 << (S::FRACTION_BITS - 1))) >> S::FRACTION_BITS;
+        Point::new(nearest(self.point.x_units()), nearest(self.point.y_units()))
+    }
+}
+
 impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
     fn new(order: usize, [a, b, c]: [&ScreenVertex<S, D>; 3]) -> Option<Self> {
-        let corner = |vertex: &ScreenVertex<S, D>| {
-            Some(Corner {
-                point: SubPoint::from_units(vertex.x_units(), vertex.y_units()).ok()?,
-                depth: vertex.z,
-            })
-        };
         Some(Self {
             order,
-            corners: [corner(a)?, corner(b)?, corner(c)?],
+            corners: [Corner::new(a)?, Corner::new(b)?, Corner::new(c)?],
         })
     }
 }

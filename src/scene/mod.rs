@@ -41,6 +41,7 @@
 mod clipping;
 mod counters;
 mod culling;
+mod edges;
 mod estimate;
 mod faces;
 mod frame;

@@ -5,9 +5,11 @@ use core::{cell::Cell, ops::Range};
 use crate::{
     band::Band,
     geometry::InputError,
+    mesh::Edge,
     scene::{
         Counters, Frame, Look, Model,
         culling::faces_left_out,
+        edges::{self, ScreenEdge, ScreenPoint},
         estimate::RowDrawing,
         faces::{self, ScreenFace},
         frame::ActiveListOf,
@@ -263,19 +265,27 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// mirrors the model, and once more where its back is [drawn](crate::scene::DoubleSided)), each with the `point` that it
     /// was snapped to and its `depth` as stored: nearer is larger.
     ///
-    /// A wireframe, or a mesh drawn as points, is made of these: lines between corners, rounded to pixels, over what the scene
-    /// has drawn or alone.
+    /// [`points`](Self::points) and [`edges`](Self::edges) are what a mesh is drawn as points or lines with.
+    pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
+        faces::all::<L>(self.faces.vertices, self.faces.models, self.fragments.clone())
+    }
+
+    /// The vertices of all models that are on the screen, in the order of models and vertices, to draw a mesh as points.
+    /// Vertices in front of the near plane, behind the far plane or beyond the guard band are left out; those that faces hide are
+    /// not.
+    ///
+    /// A point has the index of its `model`, that of the `vertex` in its mesh, and its `corner`: the `point` that the vertex was
+    /// snapped to and its `depth` as stored, nearer is larger. `corner.pixel()` is the pixel that it is in, which may be outside
+    /// of the viewport.
+    ///
+    /// Cost: one comparison a vertex. Nothing is computed when the frame is prepared, and nothing linked where this is not
+    /// called.
     ///
     /// ```
-    /// use embedded_graphics::{
-    ///     pixelcolor::Rgb565,
-    ///     prelude::*,
-    ///     primitives::{Line, Rectangle},
-    /// };
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
     /// use fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
-    ///     draw::{DrawOn, PrimitiveStyle},
     ///     scene::{Camera, FaceSet, Memory, Model},
     /// };
     ///
@@ -284,83 +294,80 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// let mesh = FaceSet::new(&[[-512, -512, 1024], [0, 512, 1024], [512, -512, 1024]], &[[0, 1, 2]])?;
     /// let models = [Model::new(mesh, &[Rgb565::RED])?];
     /// let mut memory = Memory::<Rgb565, 3, 1, 64, 64>::new();
-    /// let mut scene = memory.prepare(&camera, &models)?;
+    /// let scene = memory.prepare(&camera, &models)?;
     /// let mut words = [0; 64 * 64];
     /// let mut band = Band::<Rgb565>::new(area, &mut words)?;
-    /// scene.draw(&mut band);
-    /// for face in scene.faces() {
-    ///     // From 1/16 pixel, to the nearest.
-    ///     let [a, b, c] = face.corners.map(|corner| Point::new(corner.point.x_units() + 8, corner.point.y_units() + 8) / 16);
-    ///     // Faces that are seen from behind are in the table, too.
-    ///     let ([right, down], [x, y]) = ([b.x - a.x, b.y - a.y], [c.x - a.x, c.y - a.y]);
-    ///     if right * y > x * down {
-    ///         for (start, end) in [(a, b), (b, c), (c, a)] {
-    ///             let style = PrimitiveStyle::with_stroke(Rgb565::WHITE, 1);
-    ///             let Ok(()) = Line::new(start, end).into_styled(style).draw_on(&mut band);
-    ///         }
-    ///     }
+    /// for point in scene.points() {
+    ///     let Ok(()) = Pixel(point.corner.pixel(), Rgb565::YELLOW).draw(&mut band);
     /// }
-    /// let row: Vec<u16> = band.words()[32 * 64..33 * 64].to_vec();
-    /// assert_eq!(row.iter().filter(|word| **word == Rgb565::WHITE.into_storage()).count(), 2);
-    /// // The same mesh as points: each vertex at the pixel that it is in.
-    /// for corner in scene.faces().flat_map(|face| face.corners) {
-    ///     let pixel = Point::new((corner.point.x_units() + 8) >> 4, (corner.point.y_units() + 8) >> 4);
-    ///     let Ok(()) = Pixel(pixel, Rgb565::YELLOW).draw(&mut band);
-    /// }
-    /// let points = band.words().iter().filter(|word| **word == Rgb565::YELLOW.into_storage());
-    /// assert_eq!(points.count(), 3);
+    /// assert_eq!(words.iter().filter(|word| **word != 0).count(), 3);
     /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
+    pub fn points(&self) -> impl Iterator<Item = ScreenPoint<L::Precision, L::Depth>> + '_ {
+        edges::points::<L>(self.faces.vertices, self.faces.models)
+    }
+
+    /// The edges of a model that are to be drawn when it is drawn as lines: boundaries and creases where a face beside them is
+    /// seen from the front, and smooth edges where one face is and the other one is not, which is where they are silhouettes. In a
+    /// look that [draws backs](crate::scene::DoubleSided), boundaries and creases of faces that are seen from behind, too.
     ///
-    /// With a table of edges, which `cargo run --release -- mesh MODEL.obj --edges 30` writes, only boundaries, creases and
-    /// silhouettes of a model are drawn, and not the sides of the triangles that its faces were cut into:
+    /// `model` is an index of the models that were prepared, and `edges` a table of the edges of its mesh, as
+    /// [`FaceSet::find_edges`](crate::scene::FaceSet::find_edges) finds them and `cargo run --release -- mesh MODEL.obj
+    /// --edges 30` writes them. A model that is not there has no edges, and an edge of vertices or faces that are not there is
+    /// left out.
+    ///
+    /// An edge has its `index` in the table, two `ends` (each the `point` that a vertex was snapped to, its `depth` as stored, and
+    /// the `pixel()` that it is in), its [`kind`](crate::scene::EdgeKind), and `is_silhouette`: the surface ends there as it is seen.
+    /// Edges are cut by the near plane, the far plane and the guard band, as faces are, and not by the viewport. What
+    /// nearer faces hide of an edge is not cut off.
+    ///
+    /// Cost: the sense of two faces an edge, two to four products. Nothing is computed when the frame is prepared, and nothing
+    /// linked where this is not called.
     ///
     /// ```
-    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Line, Rectangle}};
-    /// use fixed::types::I16F16;
+    /// use embedded_graphics::{
+    ///     pixelcolor::Rgb565,
+    ///     prelude::*,
+    ///     primitives::{Line, Rectangle},
+    /// };
+    /// use fixed::types::{I2F14, I16F16};
     /// use zrow::{
     ///     band::Band,
     ///     draw::{DrawOn, PrimitiveStyle},
-    ///     scene::{Camera, FaceSet, Memory, Model},
+    ///     scene::{Camera, Edge, FaceSet, Memory, Model},
     /// };
     ///
     /// const VERTICES: [[i16; 3]; 4] = [[-512, -512, 1024], [-512, 512, 1024], [512, 512, 1024], [512, -512, 1024]];
     /// const FACES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-    /// /// Two vertices, and the faces on both sides; four boundaries, and the diagonal.
-    /// const EDGES: [[u16; 4]; 5] = [[0, 1, 0, 0], [1, 2, 0, 0], [2, 3, 1, 1], [3, 0, 1, 1], [2, 0, 0, 1]];
-    /// const SHARP_EDGES: usize = 4;
+    /// /// The four sides, without the diagonal.
+    /// static EDGES: [Edge; 4] = match FaceSet::find_edges(&VERTICES, &FACES, I2F14::lit("0.866")) {
+    ///     Ok(edges) => edges,
+    ///     Err(_) => panic!("a face names a vertex that is not there, or the table is too small"),
+    /// };
     ///
     /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
     /// let camera = Camera::new(area, I16F16::from_num(128))?;
     /// let models = [Model::new(FaceSet::new(&VERTICES, &FACES)?, &[Rgb565::RED; 2])?];
     /// let mut memory = Memory::<Rgb565, 4, 2, 64, 64>::new();
     /// let scene = memory.prepare(&camera, &models)?;
-    /// // Where each vertex is, in pixels, and which faces are seen from the front.
-    /// let (mut points, mut fronts) = ([Point::zero(); 4], [false; 2]);
-    /// for face in scene.faces() {
-    ///     let [a, b, c] = face.corners.map(|corner| Point::new(corner.point.x_units() + 8, corner.point.y_units() + 8) / 16);
-    ///     fronts[face.order] = (b.x - a.x) * (c.y - a.y) > (c.x - a.x) * (b.y - a.y);
-    ///     for (vertex, point) in FACES[face.order].into_iter().zip([a, b, c]) {
-    ///         points[usize::from(vertex)] = point;
-    ///     }
-    /// }
     /// let mut words = [0; 64 * 64];
     /// let mut band = Band::<Rgb565>::new(area, &mut words)?;
-    /// for (index, edge) in EDGES.into_iter().enumerate() {
-    ///     let [start, end, one, other] = edge.map(usize::from);
-    ///     let is_drawn = if index < SHARP_EDGES { fronts[one] || fronts[other] } else { fronts[one] != fronts[other] };
-    ///     if is_drawn {
-    ///         let line = Line::new(points[start], points[end]).into_styled(PrimitiveStyle::with_stroke(Rgb565::WHITE, 1));
-    ///         let Ok(()) = line.draw_on(&mut band);
-    ///     }
+    /// for edge in scene.edges(0, &EDGES) {
+    ///     let [start, end] = edge.ends.map(|end| end.pixel());
+    ///     let Ok(()) = Line::new(start, end)
+    ///         .into_styled(PrimitiveStyle::with_stroke(Rgb565::WHITE, 1))
+    ///         .draw_on(&mut band);
     /// }
-    /// let row = &band.words()[32 * 64..33 * 64];
-    /// // The sides left and right, and no diagonal.
-    /// assert_eq!(row.iter().filter(|word| **word != 0).count(), 2);
+    /// // The sides left and right.
+    /// assert_eq!(words[32 * 64..33 * 64].iter().filter(|word| **word != 0).count(), 2);
     /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
-    pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
-        faces::all::<L>(self.faces.vertices, self.faces.models, self.fragments.clone())
+    pub fn edges<'e>(
+        &'e self,
+        model: usize,
+        edges: &'e [Edge],
+    ) -> impl Iterator<Item = ScreenEdge<L::Precision, L::Depth>> + use<'e, 'f, 'm, L> {
+        edges::edges::<L>(self.faces.vertices, self.faces.models, &self.faces.camera, model, edges)
     }
 }
 

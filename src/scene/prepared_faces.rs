@@ -52,7 +52,7 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     pub(super) first_faces: &'f [[u16; 3]],
     first_skin: Option<SkinOf<'m, L>>,
     pub(super) viewport: Window,
-    camera: Camera,
+    pub(super) camera: Camera,
     /// The number of the first face of the model that was asked for last, and its uniforms.
     last_uniforms: Cell<Option<(u32, UniformsOf<L>)>>,
     pub(super) counting: L::Counting,

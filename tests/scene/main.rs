@@ -31,6 +31,7 @@ mod orthographic;
 mod pairs;
 mod passes;
 mod picture_items;
+mod points_and_edges;
 mod projection;
 mod rotations;
 mod scene;

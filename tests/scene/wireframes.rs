@@ -1,4 +1,4 @@
-//! Meshes as lines: the edges of the faces that a scene has snapped, drawn with the lines of the library, against edges that
+//! Meshes as lines: the edges that a scene hands out, drawn with the lines of the library, against edges that
 //! are projected in `f64`.
 
 use embedded_graphics::{
@@ -6,29 +6,24 @@ use embedded_graphics::{
     prelude::*,
     primitives::{Line, Rectangle},
 };
+use fixed::types::I2F14;
 use zrow::{
     band::Band,
     draw::{DrawOn, PrimitiveStyle},
-    scene::{Memory, Model, Prepared},
+    scene::{Edge, FaceSet, Memory, Model, Prepared},
 };
 
 use crate::common::meshes;
 use crate::numbered_scene::area;
 use crate::snapped_faces::{camera, standard_pose};
 
-/// Draws the edges of the faces that are seen from the front.
-fn draw_edges(scene: &Prepared<'_, '_, Rgb565>, band: &mut Band<'_, Rgb565>) {
-    for face in scene.faces() {
-        let [a, b, c] = face
-            .corners
-            .map(|corner| Point::new((corner.point.x_units() + 8) >> 4, (corner.point.y_units() + 8) >> 4));
-        if (b.x - a.x) * (c.y - a.y) > (c.x - a.x) * (b.y - a.y) {
-            for (start, end) in [(a, b), (b, c), (c, a)] {
-                let Ok(()) = Line::new(start, end)
-                    .into_styled(PrimitiveStyle::with_stroke(Rgb565::WHITE, 1))
-                    .draw_on(band);
-            }
-        }
+/// Draws the edges of the only model that are to be seen.
+fn draw_edges(scene: &Prepared<'_, '_, Rgb565>, edges: &[Edge], band: &mut Band<'_, Rgb565>) {
+    for edge in scene.edges(0, edges) {
+        let [start, end] = edge.ends.map(|end| end.pixel());
+        let Ok(()) = Line::new(start, end)
+            .into_styled(PrimitiveStyle::with_stroke(Rgb565::WHITE, 1))
+            .draw_on(band);
     }
 }
 
@@ -44,6 +39,8 @@ fn distance(point: [f64; 2], [a, b]: [[f64; 2]; 2]) -> f64 {
 fn edges_are_where_they_are_projected_to() {
     let (area, mesh) = (area(96, 80), meshes::cube(1.0));
     let colors = [Rgb565::BLACK; 12];
+    let faces: &[_; 12] = mesh.faces[..].try_into().unwrap();
+    let edges: [Edge; 12] = FaceSet::find_edges(&mesh.vertices, faces, I2F14::lit("0.866")).unwrap();
     let mut lit = 0;
     for frame in 0..24 {
         let pose = standard_pose(frame * 21 + 4);
@@ -51,12 +48,12 @@ fn edges_are_where_they_are_projected_to() {
         let mut memory = Box::new(Memory::<Rgb565, 8, 12, 96, 80>::new());
         let scene = memory.prepare(&camera(area), &models).unwrap();
         let mut words = vec![0; 96 * 80];
-        draw_edges(&scene, &mut Band::<Rgb565>::new(area, &mut words).unwrap());
+        draw_edges(&scene, &edges, &mut Band::<Rgb565>::new(area, &mut words).unwrap());
         // Row by row it is the same picture.
         for (y, row) in words.chunks(96).enumerate() {
             let mut alone = vec![0; 96];
             let place = Rectangle::new(Point::new(0, y as i32), Size::new(96, 1));
-            draw_edges(&scene, &mut Band::<Rgb565>::new(place, &mut alone).unwrap());
+            draw_edges(&scene, &edges, &mut Band::<Rgb565>::new(place, &mut alone).unwrap());
             assert_eq!(alone, row, "row {y}");
         }
 
@@ -75,19 +72,22 @@ fn edges_are_where_they_are_projected_to() {
                 [47.5 + 48.0 * point[0] / distance, 39.5 - 48.0 * point[1] / distance]
             })
             .collect();
-        let faces = mesh
-            .faces
-            .iter()
-            .map(|face| face.map(|index| corners[usize::from(index)]));
-        let area_of = |[a, b, c]: [[f64; 2]; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-        let sides = |[a, b, c]: [[f64; 2]; 3]| [[a, b], [b, c], [c, a]];
+        let area_of = |face: [u16; 3]| {
+            let [a, b, c] = face.map(|index| corners[usize::from(index)]);
+            (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+        };
+        // Without the diagonals: vertex n of the cube lies at the bits of n.
+        let sides = |[a, b, c]: [u16; 3]| {
+            let sides = [[a, b], [b, c], [c, a]].into_iter();
+            let sides = sides.filter(|[from, to]| (from ^ to).is_power_of_two());
+            sides.map(|side| side.map(|vertex| corners[usize::from(vertex)]))
+        };
         // What is nearly on edge may be seen or not.
-        let may: Vec<_> = faces
-            .clone()
-            .filter(|face| area_of(*face) > -30.0)
-            .flat_map(sides)
-            .collect();
-        let must: Vec<_> = faces.filter(|face| area_of(*face) > 30.0).flat_map(sides).collect();
+        let of_faces = |least: f64| {
+            let faces = mesh.faces.iter().copied().filter(move |face| area_of(*face) > least);
+            faces.flat_map(sides).collect::<Vec<_>>()
+        };
+        let (may, must) = (of_faces(-30.0), of_faces(30.0));
         let drawn: Vec<[f64; 2]> = area
             .points()
             .zip(&words)

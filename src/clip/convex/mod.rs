@@ -9,4 +9,4 @@ mod unit_cell;
 
 pub use cyrus_beck::ParametricSegment;
 pub use sutherland_hodgman::CutAttributes;
-pub(crate) use sutherland_hodgman::{Plane, Polygon, PolygonCorner, sutherland_hodgman};
+pub(crate) use sutherland_hodgman::{Plane, Polygon, PolygonCorner, cut_segment, sutherland_hodgman};

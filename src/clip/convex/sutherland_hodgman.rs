@@ -145,9 +145,7 @@ pub(crate) fn sutherland_hodgman<S: ScreenPrecision, A: CutAttributes>(
                 (corner, previous, here, before)
             };
             let mut cut = *inside;
-            for (from, to) in cut.position.iter_mut().zip(outside.position) {
-                *from = between::<S>((*from).into(), to.into(), part, part - beyond);
-            }
+            move_to_crossing::<S>(&mut cut.position, &outside.position, [part, beyond]);
             cut.attributes = plane.cut_attributes(inside, outside, [part as u64, beyond.unsigned_abs()]);
             keep(cut);
         }
@@ -155,6 +153,37 @@ pub(crate) fn sutherland_hodgman<S: ScreenPrecision, A: CutAttributes>(
             keep(*corner);
         }
         previous = corner;
+    }
+}
+
+/// The part of a segment on the side of a plane that is kept, from the same end on; `None` where all of it is beyond. A cut is the
+/// corner that a polygon with this edge gets there.
+pub(crate) fn cut_segment<S: ScreenPrecision>(
+    [mut from, mut to]: [[S::Wide; 3]; 2],
+    plane: &Plane,
+) -> Option<[[S::Wide; 3]; 2]> {
+    let (before, after) = (plane.distance::<S>(&from), plane.distance::<S>(&to));
+    match (before < 0, after < 0) {
+        (true, true) => return None,
+        (true, false) => {
+            let outside = core::mem::replace(&mut from, to);
+            move_to_crossing::<S>(&mut from, &outside, [after, before]);
+        }
+        (false, true) => {
+            let outside = core::mem::replace(&mut to, from);
+            move_to_crossing::<S>(&mut to, &outside, [before, after]);
+        }
+        (false, false) => {}
+    }
+    Some([from, to])
+}
+
+/// Moves a corner inside of a plane to where the edge to one outside crosses the plane. The distances of both are those from the
+/// plane, not below 0 and below it.
+#[inline]
+fn move_to_crossing<S: ScreenPrecision>(inside: &mut [S::Wide; 3], outside: &[S::Wide; 3], [part, beyond]: [i64; 2]) {
+    for (from, to) in inside.iter_mut().zip(*outside) {
+        *from = between::<S>((*from).into(), to.into(), part, part - beyond);
     }
 }
 
@@ -197,5 +226,25 @@ mod tests {
         assert_eq!(cut([a, b, c]), [a, a, b, [40, 40, 500]]);
         assert_eq!(cut([a, b, a]), [a, b, a]);
         assert!(cut([c, c, c]).is_empty());
+    }
+
+    /// A segment is cut where a polygon is that has it as an edge, in whichever direction.
+    #[test]
+    fn segments_are_cut_as_edges_are() {
+        let plane = Plane::near(500);
+        let ends = [[-70, 11, 503], [80, -9, 496]];
+        let corner = |position| PolygonCorner {
+            position,
+            attributes: (),
+        };
+        let mut kept = Polygon::<Sub4, ()>::new();
+        sutherland_hodgman(&ends.into_iter().map(corner).collect(), &plane, &mut kept);
+        let [from, to] = ends;
+        let cut = kept[0].position;
+        assert_eq!(cut, [-6, 2, 500]);
+        assert_eq!(cut_segment::<Sub4>([from, to], &plane), Some([from, cut]));
+        assert_eq!(cut_segment::<Sub4>([to, from], &plane), Some([cut, from]));
+        assert_eq!(cut_segment::<Sub4>([from, from], &plane), Some([from, from]));
+        assert_eq!(cut_segment::<Sub4>([to, to], &plane), None);
     }
 }

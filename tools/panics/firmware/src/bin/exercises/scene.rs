@@ -110,6 +110,11 @@ fn look<L: Look>() {
     keep(Prepared::<L>::vertices_needed(any()));
     keep(Prepared::<L>::estimate(any(), any()));
     keep_all(Prepared::<L>::faces(any()));
+    for point in Prepared::<L>::points(any()) {
+        keep(point.corner.pixel());
+        keep(point);
+    }
+    keep_all(Prepared::<L>::edges(any(), any(), any()));
 }
 
 #[inline(never)]
