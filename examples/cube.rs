@@ -13,20 +13,20 @@ use zrow::{
 };
 
 const SIZE: usize = 120;
-/// The corners of each side: those of two triangles, counterclockwise as seen from outside. Corner n lies at the bits of n.
-const SIDES: [[u16; 4]; 6] = [
-    [0, 2, 1, 3],
-    [4, 5, 6, 7],
-    [0, 1, 4, 5],
-    [2, 6, 3, 7],
-    [0, 4, 2, 6],
-    [1, 3, 5, 7],
+/// The corners of each side, clockwise as it is seen from outside. Corner n lies at the bits of n.
+const SIDES: [&[u16]; 6] = [
+    &[2, 3, 1, 0],
+    &[5, 7, 6, 4],
+    &[1, 5, 4, 0],
+    &[6, 7, 3, 2],
+    &[4, 6, 2, 0],
+    &[3, 7, 5, 1],
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
     // 512 units are a length of 1.
     let vertices: [[i16; 3]; 8] = from_fn(|n| from_fn(|axis| if n >> axis & 1 == 0 { -512 } else { 512 }));
-    let faces = SIDES.map(|[a, b, c, d]| [[a, b, c], [c, b, d]]).concat();
+    let faces: [[u16; 3]; 12] = FaceSet::triangulate(&vertices, &SIDES)?;
     // Blue, green, cyan, red, magenta, yellow.
     let side_color = |bits: u8| Rgb565::new(31 * (bits >> 2 & 1), 63 * (bits >> 1 & 1), 31 * (bits & 1));
     let colors: Vec<Rgb565> = (1..7).flat_map(|bits| [side_color(bits); 2]).collect();

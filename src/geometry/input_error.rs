@@ -62,6 +62,23 @@ pub enum InputError {
         /// The largest vertex index that the face names.
         vertex: u16,
     },
+    /// A polygon of a mesh has fewer than three corners, repeats a corner, has one that is straight or turns the other way, or goes
+    /// around more than once: leave corners out, or cut it into convex polygons.
+    NotConvex {
+        /// The index of the polygon.
+        polygon: usize,
+    },
+    /// The corners of a polygon of a mesh are more than half a unit beside its plane: cut it into triangles, or choose a finer
+    /// unit.
+    NotPlanar {
+        /// The index of the polygon.
+        polygon: usize,
+    },
+    /// The polygons of a mesh are cut into another number of triangles than there shall be.
+    NumberOfFaces {
+        /// How many triangles they are.
+        needed: usize,
+    },
     /// The near plane of a [`Camera`](crate::scene::Camera) must be at least 8 units of the vertices away: choose a finer unit.
     NearTooClose,
     /// The far plane of a [`Camera`](crate::scene::Camera) must be behind its near plane, that of a
@@ -151,6 +168,18 @@ impl Display for InputError {
             Self::IndexOutOfRange { face, vertex } => {
                 write!(formatter, "face {face} names vertex {vertex}, which is not there")
             }
+            Self::NotConvex { polygon } => write!(
+                formatter,
+                "polygon {polygon} is not convex, or has fewer than three corners, a repeated or a straight one"
+            ),
+            Self::NotPlanar { polygon } => write!(
+                formatter,
+                "polygon {polygon} has corners more than half a unit beside its plane: cut it into triangles"
+            ),
+            Self::NumberOfFaces { needed } => write!(
+                formatter,
+                "the polygons are cut into {needed} triangles: name that number"
+            ),
             Self::NearTooClose => formatter.write_str("the near plane must be at least 8 units away"),
             Self::FarTooClose => formatter
                 .write_str("the far plane must be behind the near plane, for a 4x4 matrix at least twice as far away"),

@@ -54,7 +54,7 @@ pub(super) const fn square(way: [i64; 3]) -> u128 {
 }
 
 /// The product of two numbers below 2^96: its bits from the 128th on, and the lower ones.
-const fn wide_product(one: u128, other: u128) -> (u128, u128) {
+pub(super) const fn wide_product(one: u128, other: u128) -> (u128, u128) {
     const LOW: u128 = u64::MAX as u128;
     let (a, b) = (one >> 64, one & LOW);
     let (c, d) = (other >> 64, other & LOW);
@@ -64,6 +64,7 @@ const fn wide_product(one: u128, other: u128) -> (u128, u128) {
     (a * c + (middle >> 64) + carry as u128, low)
 }
 
-const fn is_less(one: (u128, u128), other: (u128, u128)) -> bool {
+/// Whether a number of 256 bits is less than another one.
+pub(super) const fn is_less(one: (u128, u128), other: (u128, u128)) -> bool {
     one.0 < other.0 || one.0 == other.0 && one.1 < other.1
 }

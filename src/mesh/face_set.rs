@@ -4,7 +4,7 @@ use fixed::types::{I2F14, U1F15};
 
 use crate::{
     geometry::{InputError, TooSmall},
-    mesh::{BoundingBox, Edge, edges, neighbours},
+    mesh::{BoundingBox, Edge, edges, neighbours, polygons},
 };
 
 /// Vertices, and faces that name three of them each.
@@ -56,6 +56,48 @@ impl<'a> FaceSet<'a> {
             faces,
             neighbours: &[],
         })
+    }
+
+    /// The triangles of convex polygons, each a list of vertices: of a polygon of `n` corners the `n - 2` that its first corner has
+    /// with two others that follow each other, one polygon after the other. As with triangles, a polygon is seen from the
+    /// side from which its corners run clockwise on the screen.
+    ///
+    /// The corners of a polygon must lie within half a unit of one plane, which is across its Newell normal (in Sutherland, Sproull
+    /// and Schumacker 1974), and turn there, all the same way; that is checked exactly. The mesh converter cuts concave
+    /// polygons, too. Diagonals of a polygon that is exactly planar are no [edges](Self::find_edges); those of others are smooth
+    /// edges, which are silhouettes only where the polygon is seen almost on edge.
+    ///
+    /// In a `static` the compiler does it. Cost: three cross products and three dot products a corner.
+    ///
+    /// ```
+    /// use zrow::scene::FaceSet;
+    ///
+    /// /// A pyramid on a square.
+    /// const VERTICES: [[i16; 3]; 5] = [[-9, 0, -9], [-9, 0, 9], [9, 0, 9], [9, 0, -9], [0, 9, 0]];
+    /// const POLYGONS: [&[u16]; 5] = [&[3, 2, 1, 0], &[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]];
+    /// const FACES: [[u16; 3]; FaceSet::count_triangles(&POLYGONS)] = match FaceSet::triangulate(&VERTICES, &POLYGONS) {
+    ///     Ok(faces) => faces,
+    ///     Err(_) => panic!("a polygon is not planar, not convex, or names a vertex that is not there"),
+    /// };
+    /// assert_eq!(FACES[..3], [[3, 2, 1], [3, 1, 0], [0, 1, 4]]);
+    /// // Eight edges, without the diagonal of the square.
+    /// assert_eq!(FaceSet::count_edges(&VERTICES, &FACES), 8);
+    /// ```
+    ///
+    /// # Errors
+    /// Of the first polygon that is wrong: [`InputError::IndexOutOfRange`], whose `face` is the polygon;
+    /// [`InputError::NotPlanar`]; [`InputError::NotConvex`], also of a polygon that has fewer than three corners, or one that is
+    /// repeated or straight. [`InputError::NumberOfFaces`] with the number of triangles, where that is not `FACES`.
+    pub const fn triangulate<const FACES: usize>(
+        vertices: &[[i16; 3]],
+        polygons: &[&[u16]],
+    ) -> Result<[[u16; 3]; FACES], InputError> {
+        polygons::triangulate(vertices, polygons)
+    }
+
+    /// How many triangles [`triangulate`](Self::triangulate) cuts polygons into: of each two fewer than it has corners.
+    pub const fn count_triangles(polygons: &[&[u16]]) -> usize {
+        polygons::count(polygons)
     }
 
     /// The face set with the neighbours of each face: the index of the face on the other side of the edge from its first to its

@@ -1,4 +1,4 @@
-//! Indexed face sets, as they lie in flash.
+//! Indexed face sets, and their edges, as they lie in flash.
 
 mod bounding_box;
 mod bounding_cylinder;
@@ -11,6 +11,7 @@ mod face_normal;
 mod face_set;
 mod neighbours;
 mod octahedral_normal;
+mod polygons;
 mod side_buckets;
 
 pub use bounding_box::BoundingBox;

@@ -1,4 +1,4 @@
-//! Meshes: edges and their kinds.
+//! Meshes: edges and their kinds, polygons and their triangles.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -8,3 +8,4 @@ mod reference {
 }
 
 mod edges;
+mod polygons;

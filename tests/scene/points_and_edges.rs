@@ -170,7 +170,7 @@ fn mirrored_models_and_those_that_are_left_out_have_their_edges() {
     for frame in 0..16 {
         let mirrored = Model::with_skin(cube.face_set(), (&colors[..], map));
         let models = [mirrored.unwrap().with_pose(standard_pose(frame * 21 + 4))];
-        check_whole::<Transformed<Rgb888>>(&models, &[table.clone()], &camera, (false, true));
+        check_whole::<Transformed<Rgb888>>(&models, std::slice::from_ref(&table), &camera, (false, true));
     }
     let bounds = BoundingBox::around(&cube.vertices);
     let skin = (&colors[..], bounds);

@@ -174,6 +174,8 @@ fn model() {
     keep(FaceSet::find_neighbours::<12>(any()));
     keep(FaceSet::find_edges::<12, 18>(any(), any(), any()));
     keep(FaceSet::count_edges::<12>(any(), any()));
+    keep(FaceSet::triangulate::<12>(any(), any()));
+    keep(FaceSet::count_triangles(any()));
     keep(Edge::boundary(any(), any()));
     keep(Edge::crease(any(), any()));
     keep(Edge::smooth(any(), any()));
