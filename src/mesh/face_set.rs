@@ -58,14 +58,14 @@ impl<'a> FaceSet<'a> {
         })
     }
 
-    /// The triangles of convex polygons, each a list of vertices: of a polygon of `n` corners the `n - 2` that its first corner has
-    /// with two others that follow each other, one polygon after the other. As with triangles, a polygon is seen from the
+    /// The triangles of convex polygons, each a list of vertices: of a polygon of `n` corners the `n - 2` that its first corner
+    /// has with two others that follow each other, one polygon after the other. As with triangles, a polygon is seen from the
     /// side from which its corners run clockwise on the screen.
     ///
-    /// The corners of a polygon must lie within half a unit of one plane, which is across its Newell normal (in Sutherland, Sproull
-    /// and Schumacker 1974), and turn there, all the same way; that is checked exactly. The mesh converter cuts concave
-    /// polygons, too. Diagonals of a polygon that is exactly planar are no [edges](Self::find_edges); those of others are smooth
-    /// edges, which are silhouettes only where the polygon is seen almost on edge.
+    /// The corners of a polygon must lie within half a unit of one plane, which is across its Newell normal (in Sutherland,
+    /// Sproull and Schumacker 1974), and turn there, all the same way; that is checked exactly. The mesh converter cuts concave
+    /// polygons, too. Diagonals of a polygon that is exactly planar are no [edges](Self::find_edges); those of others are
+    /// smooth edges, which are silhouettes only where the polygon is seen almost on edge.
     ///
     /// In a `static` the compiler does it. Cost: three cross products and three dot products a corner.
     ///
@@ -86,8 +86,8 @@ impl<'a> FaceSet<'a> {
     ///
     /// # Errors
     /// Of the first polygon that is wrong: [`InputError::IndexOutOfRange`], whose `face` is the polygon;
-    /// [`InputError::NotPlanar`]; [`InputError::NotConvex`], also of a polygon that has fewer than three corners, or one that is
-    /// repeated or straight. [`InputError::NumberOfFaces`] with the number of triangles, where that is not `FACES`.
+    /// [`InputError::NotPlanar`]; [`InputError::NotConvex`], also of a polygon that has fewer than three corners, or one that
+    /// is repeated or straight. [`InputError::NumberOfFaces`] with the number of triangles, where that is not `FACES`.
     pub const fn triangulate<const FACES: usize>(
         vertices: &[[i16; 3]],
         polygons: &[&[u16]],
@@ -141,10 +141,11 @@ impl<'a> FaceSet<'a> {
         self.neighbours
     }
 
-    /// The edges of a mesh, to draw it as lines ([`Prepared::edges`](crate::scene::Prepared::edges)): each with the faces on both
-    /// sides and its [`EdgeKind`](crate::scene::EdgeKind). It is a crease where its faces turn so much from one to the other that
-    /// the cosine of the angle is less than `cosine`, a number with 14 fractional bits from -1 to 1: 0.866 for 30 degrees. With 1
-    /// or more, each edge between two faces is a crease; with -1 or less, none is. The angles are compared exactly.
+    /// The edges of a mesh, to draw it as lines ([`Prepared::edges`](crate::scene::Prepared::edges)): each with the faces on
+    /// both sides and its [`EdgeKind`](crate::scene::EdgeKind). It is a crease where its faces turn so much from one to the
+    /// other that the cosine of the angle is less than `cosine`, a number with 14 fractional bits from -1 to 1: 0.866 for 30
+    /// degrees. With 1 or more, each edge between two faces is a crease; with -1 or less, none is. The angles are compared
+    /// exactly.
     ///
     /// An edge between faces that lie in one plane, as inside a polygon that was cut into triangles, is none. Where more than
     /// two faces meet, a crease is there once for every two of them. Vertices in the same position count as one; faces
@@ -153,8 +154,9 @@ impl<'a> FaceSet<'a> {
     /// The edges are in the order of the faces that have them. [`count_edges`](Self::count_edges) says how many there are; what
     /// is left in a longer table are edges without a face, which are never drawn.
     ///
-    /// In a `static` the compiler finds them; a mesh of a thousand faces takes it a second. Cost: a few steps for each edge,
-    /// and 16 bytes of stack a face.
+    /// In a `static` the compiler finds them; a mesh of a thousand faces takes it a second, and from some 2,000 faces on it
+    /// asks for `#[allow(long_running_const_eval)]`, or for the table that the mesh converter writes. Cost: a few steps for
+    /// each edge, and 48 bytes of stack a face beside the table.
     ///
     /// ```
     /// use fixed::types::I2F14;

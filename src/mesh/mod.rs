@@ -12,7 +12,7 @@ mod face_set;
 mod neighbours;
 mod octahedral_normal;
 mod polygons;
-mod side_buckets;
+mod sides;
 
 pub use bounding_box::BoundingBox;
 pub use bounding_cylinder::BoundingCylinder;

@@ -1,32 +1,42 @@
-//! Which face is on the other side of each edge: the sides of the faces in buckets by the sum of their vertices.
+//! Which face is on the other side of each edge: edges in buckets by the sum of their vertices.
 //!
 //! Two faces are neighbours that have the same two vertices one after the other, each in its own direction: then they belong to
 //! one surface. An edge that only one face has bounds the surface, and in one that three or more have surfaces meet; both have
 //! no neighbour.
 
-use crate::mesh::side_buckets::{END, Side, SideBuckets, face_at, side_at, sides};
-
 /// In a table of neighbours: there is none.
 pub(super) const NO_NEIGHBOUR: u16 = u16::MAX;
 
+/// No edge: the end of a bucket.
+const END: u32 = u32::MAX;
+
 /// The neighbours of faces across the edges from their first vertex to the second, from there to the third, and back.
 pub(super) const fn find<const FACES: usize>(faces: &[[u16; 3]; FACES]) -> [[u16; 3]; FACES] {
-    let mut buckets = SideBuckets::<FACES>::new();
+    let mut heads = [END; FACES];
+    // The next edge of the bucket after each edge, three a face.
+    let mut next = [[END; 3]; FACES];
     let mut face = 0;
     while face < FACES {
-        let [ab, bc, ca] = sides(face_at(faces, face));
-        buckets.enter(face, [hash(ab), hash(bc), hash(ca)]);
+        let [ab, bc, ca] = edges(face_at(faces, face));
+        let of_face = [
+            enter(&mut heads, ab, edge_number(face, 0)),
+            enter(&mut heads, bc, edge_number(face, 1)),
+            enter(&mut heads, ca, edge_number(face, 2)),
+        ];
+        if let Some((_, [entry, ..])) = next.split_at_mut_checked(face) {
+            *entry = of_face;
+        }
         face += 1;
     }
     let mut neighbours = [[NO_NEIGHBOUR; 3]; FACES];
     face = 0;
     while face < FACES {
-        let [ab, bc, ca] = sides(face_at(faces, face));
+        let [ab, bc, ca] = edges(face_at(faces, face));
         if let Some((_, [entry, ..])) = neighbours.split_at_mut_checked(face) {
             *entry = [
-                across(faces, &buckets, ab),
-                across(faces, &buckets, bc),
-                across(faces, &buckets, ca),
+                across(faces, &heads, &next, ab),
+                across(faces, &heads, &next, bc),
+                across(faces, &heads, &next, ca),
             ];
         }
         face += 1;
@@ -34,25 +44,72 @@ pub(super) const fn find<const FACES: usize>(faces: &[[u16; 3]; FACES]) -> [[u16
     neighbours
 }
 
-/// The hash of a side, in whichever direction: below 2^17.
-const fn hash([from, to]: Side) -> u32 {
-    from as u32 + to as u32
+/// From which vertex an edge leads to which.
+type Edge = [u16; 2];
+
+const fn edges([a, b, c]: [u16; 3]) -> [Edge; 3] {
+    [[a, b], [b, c], [c, a]]
 }
 
-/// The face that has a side in the other direction, where it is the only one, and no other face has it in this direction.
-const fn across<const FACES: usize>(faces: &[[u16; 3]; FACES], buckets: &SideBuckets<FACES>, [from, to]: Side) -> u16 {
+const fn face_at(faces: &[[u16; 3]], face: usize) -> [u16; 3] {
+    match faces.split_at_checked(face) {
+        Some((_, [corners, ..])) => *corners,
+        _ => [0; 3],
+    }
+}
+
+const fn edge_number(face: usize, edge: u32) -> u32 {
+    face as u32 * 4 + edge
+}
+
+/// The bucket of an edge, in whichever direction; there is at least one.
+const fn bucket([from, to]: Edge, buckets: usize) -> usize {
+    // Below 2^17.
+    match (from as usize + to as usize).checked_rem(buckets) {
+        Some(bucket) => bucket,
+        None => 0,
+    }
+}
+
+/// Makes an edge the head of its bucket, and returns the previous head.
+const fn enter(heads: &mut [u32], edge: Edge, number: u32) -> u32 {
+    match heads.split_at_mut_checked(bucket(edge, heads.len())) {
+        Some((_, [head, ..])) => {
+            let before = *head;
+            *head = number;
+            before
+        }
+        _ => END,
+    }
+}
+
+/// The face that has an edge in the other direction, where it is the only one, and no other face has it in this direction.
+const fn across(faces: &[[u16; 3]], heads: &[u32], next: &[[u32; 3]], [from, to]: Edge) -> u16 {
     let (mut there, mut back, mut found) = (0u32, 0u32, NO_NEIGHBOUR);
-    let mut side = buckets.first(hash([from, to]));
-    while side != END {
-        let [start, end] = side_at(faces, side);
+    let mut number = match heads.split_at_checked(bucket([from, to], heads.len())) {
+        Some((_, [head, ..])) => *head,
+        _ => END,
+    };
+    while number != END {
+        let (face, edge) = ((number / 4) as usize, number % 4);
+        let [ab, bc, ca] = edges(face_at(faces, face));
+        let [after_ab, after_bc, after_ca] = match next.split_at_checked(face) {
+            Some((_, [after, ..])) => *after,
+            _ => [END; 3],
+        };
+        let ([start, end], after) = match edge {
+            0 => (ab, after_ab),
+            1 => (bc, after_bc),
+            _ => (ca, after_ca),
+        };
         if start == from && end == to {
             there += 1;
         }
         if start == to && end == from {
             back += 1;
-            found = (side / 4) as u16;
+            found = face as u16;
         }
-        side = buckets.after(side);
+        number = after;
     }
     if there == 1 && back == 1 { found } else { NO_NEIGHBOUR }
 }

@@ -151,8 +151,8 @@ pub(super) fn cut_edge<L: Look>(
     Some(ends.map(inside))
 }
 
-/// From which side a face of a model is seen, or would be if it were on the screen: 1 from the front, -1 from behind, 0 where it
-/// is seen on edge. By the plane of the face in eye space, and on which side of that the camera is.
+/// From which side a face of a model is seen, or would be if it were on the screen: 1 from the front, -1 from behind, 0 where
+/// it is seen on edge. By the plane of the face in eye space, and on which side of that the camera is.
 #[cold]
 #[inline(never)]
 pub(super) fn side_in_eye_space<L: Look>(camera: &Camera, model: &Model<'_, L::Shading>, face: &[u16; 3]) -> i32 {

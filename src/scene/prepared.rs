@@ -271,12 +271,12 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     }
 
     /// The vertices of all models that are on the screen, in the order of models and vertices, to draw a mesh as points.
-    /// Vertices in front of the near plane, behind the far plane or beyond the guard band are left out; those that faces hide are
-    /// not.
+    /// Vertices in front of the near plane, behind the far plane or beyond the guard band are left out; those that faces hide
+    /// are not.
     ///
-    /// A point has the index of its `model`, that of the `vertex` in its mesh, and its `corner`: the `point` that the vertex was
-    /// snapped to and its `depth` as stored, nearer is larger. `corner.pixel()` is the pixel that it is in, which may be outside
-    /// of the viewport.
+    /// A point has the index of its `model`, that of the `vertex` in its mesh, and its `corner`: the `point` that the vertex
+    /// was snapped to and its `depth` as stored, nearer is larger. `corner.pixel()` is the pixel that it is in, which may be
+    /// outside of the viewport.
     ///
     /// Cost: one comparison a vertex. Nothing is computed when the frame is prepared, and nothing linked where this is not
     /// called.
@@ -308,18 +308,18 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     }
 
     /// The edges of a model that are to be drawn when it is drawn as lines: boundaries and creases where a face beside them is
-    /// seen from the front, and smooth edges where one face is and the other one is not, which is where they are silhouettes. In a
-    /// look that [draws backs](crate::scene::DoubleSided), boundaries and creases of faces that are seen from behind, too.
+    /// seen from the front, and smooth edges where one face is and the other one is not, which is where they are silhouettes.
+    /// In a look that [draws backs](crate::scene::DoubleSided), boundaries and creases of faces that are seen from behind, too.
     ///
     /// `model` is an index of the models that were prepared, and `edges` a table of the edges of its mesh, as
     /// [`FaceSet::find_edges`](crate::scene::FaceSet::find_edges) finds them and `cargo run --release -- mesh MODEL.obj
     /// --edges 30` writes them. A model that is not there has no edges, and an edge of vertices or faces that are not there is
     /// left out.
     ///
-    /// An edge has its `index` in the table, two `ends` (each the `point` that a vertex was snapped to, its `depth` as stored, and
-    /// the `pixel()` that it is in), its [`kind`](crate::scene::EdgeKind), and `is_silhouette`: the surface ends there as it is seen.
-    /// Edges are cut by the near plane, the far plane and the guard band, as faces are, and not by the viewport. What
-    /// nearer faces hide of an edge is not cut off.
+    /// An edge has its `index` in the table, two `ends` (each the `point` that a vertex was snapped to, its `depth` as stored,
+    /// and the `pixel()` that it is in), its [`kind`](crate::scene::EdgeKind), and `is_silhouette`: the surface ends there as
+    /// it is seen. Edges are cut by the near plane, the far plane and the guard band, as faces are, and not by the viewport.
+    /// What nearer faces hide of an edge is not cut off.
     ///
     /// Cost: the sense of two faces an edge, two to four products. Nothing is computed when the frame is prepared, and nothing
     /// linked where this is not called.

@@ -110,7 +110,8 @@ proptest! {
         is_flat in any::<bool>(),
     ) {
         let z = |z: i16| if is_flat { 0 } else { z * (steps.2 - 1) };
-        let corners: Vec<[i16; 3]> = corners.iter().map(|corner| [corner.0 * steps.0, corner.1 * steps.1, z(corner.2)]).collect();
+        let stretched = |corner: &(i16, i16, i16)| [corner.0 * steps.0, corner.1 * steps.1, z(corner.2)];
+        let corners: Vec<[i16; 3]> = corners.iter().map(stretched).collect();
         check(&corners)?;
     }
 

@@ -329,13 +329,19 @@ fn sideways() -> impl Strategy<Value = i16> {
     prop_oneof![3 => -500i16..500, 1 => any::<i16>()]
 }
 
+/// A distance before, at or behind the near and the far plane, or any.
+fn distance_ahead() -> impl Strategy<Value = i16> {
+    let at_planes = prop::sample::select(vec![127i16, 128, 129, 899, 900, 901]);
+    prop_oneof![3 => -300i16..1_300, 1 => any::<i16>(), 1 => at_planes]
+}
+
 proptest! {
     #![proptest_config(config(cases(1_000, 40_000)))]
 
     #[test]
     fn edges_are_cut_where_faces_are(
         positions in prop::array::uniform4((sideways(), sideways())),
-        distances in prop::array::uniform4(prop_oneof![3 => -300i16..1_300, 1 => any::<i16>(), 1 => prop::sample::select(vec![127i16, 128, 129, 899, 900, 901])]),
+        distances in prop::array::uniform4(distance_ahead()),
         bits in prop::sample::select(vec![-0x4000i16, 0, 0x4000]),
     ) {
         let vertices = [0, 1, 2, 3].map(|at| [positions[at].0, positions[at].1, distances[at]]);

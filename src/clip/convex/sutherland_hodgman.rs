@@ -156,8 +156,8 @@ pub(crate) fn sutherland_hodgman<S: ScreenPrecision, A: CutAttributes>(
     }
 }
 
-/// The part of a segment on the side of a plane that is kept, from the same end on; `None` where all of it is beyond. A cut is the
-/// corner that a polygon with this edge gets there.
+/// The part of a segment on the side of a plane that is kept, from the same end on; `None` where all of it is beyond. A cut is
+/// the corner that a polygon with this edge gets there.
 pub(crate) fn cut_segment<S: ScreenPrecision>(
     [mut from, mut to]: [[S::Wide; 3]; 2],
     plane: &Plane,
@@ -178,8 +178,8 @@ pub(crate) fn cut_segment<S: ScreenPrecision>(
     Some([from, to])
 }
 
-/// Moves a corner inside of a plane to where the edge to one outside crosses the plane. The distances of both are those from the
-/// plane, not below 0 and below it.
+/// Moves a corner inside of a plane to where the edge to one outside crosses the plane. The distances of both are those from
+/// the plane, not below 0 and below it.
 #[inline]
 fn move_to_crossing<S: ScreenPrecision>(inside: &mut [S::Wide; 3], outside: &[S::Wide; 3], [part, beyond]: [i64; 2]) {
     for (from, to) in inside.iter_mut().zip(*outside) {

@@ -1,5 +1,5 @@
-//! The edges of a mesh, to draw it as lines: boundaries and creases, which are drawn where a face beside them is seen, and smooth
-//! ones, which are drawn where they are a silhouette. They are those of `FaceSet::find_edges`, found by a hash map.
+//! The edges of a mesh, to draw it as lines: boundaries and creases, which are drawn where a face beside them is seen, and
+//! smooth ones, which are drawn where they are a silhouette. They are those of `FaceSet::find_edges`, found by a hash map.
 //!
 //! Vertices with the same position are one here, whatever normals and texture coordinates they have.
 
@@ -10,7 +10,8 @@ use std::collections::HashMap;
 pub enum Beside {
     /// Only one face has the edge.
     Boundary(u16),
-    /// The faces turn by more than the angle of a crease, or more than two meet; twice the same one where there are no other two.
+    /// The faces turn by more than the angle of a crease, or more than two meet; twice the same one where there are no other
+    /// two.
     Crease([u16; 2]),
     /// The faces turn by less.
     Smooth([u16; 2]),
