@@ -10,8 +10,8 @@ use zrow::{
     geometry::{Sub4, Sub8},
     scene::{
         Antialiased, BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Counted, Counters, Deep,
-        DepthWidth, DoubleSided, Edge, EdgeKind, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model, OnePass, Orthographic,
-        Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
+        DepthWidth, DoubleSided, Edge, EdgeKind, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model, OnePass,
+        Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
     shade::{
         Bilinear, Blinn, Bounded, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading,
