@@ -62,8 +62,8 @@ pub enum InputError {
         /// The largest vertex index that the face names.
         vertex: u16,
     },
-    /// A polygon of a mesh has fewer than three corners, repeats a corner, has one that is straight or turns the other way, or goes
-    /// around more than once: leave corners out, or cut it into convex polygons.
+    /// A polygon of a mesh has fewer than three corners, repeats a corner, has one that is straight or turns the other way, or
+    /// goes around more than once: leave corners out, or cut it into convex polygons.
     NotConvex {
         /// The index of the polygon.
         polygon: usize,
@@ -76,7 +76,7 @@ pub enum InputError {
     },
     /// The polygons of a mesh are cut into another number of triangles than there shall be.
     NumberOfFaces {
-        /// How many triangles they are.
+        /// How many triangles the polygons are cut into.
         needed: usize,
     },
     /// The near plane of a [`Camera`](crate::scene::Camera) must be at least 8 units of the vertices away: choose a finer unit.

@@ -2,7 +2,8 @@
 
 use crate::mesh::neighbours::NO_NEIGHBOUR;
 
-/// What an edge of a mesh is, when the mesh is drawn as lines.
+/// Whether the surface of a mesh ends at an edge, turns sharply there or hardly turns: where a mesh is drawn as lines, that
+/// decides which edges are drawn.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum EdgeKind {
@@ -29,7 +30,7 @@ pub struct Edge {
 }
 
 impl Edge {
-    /// What fills a table up behind its edges: without faces, so that it is never drawn.
+    /// An edge without faces, which is never drawn: it fills up a table that has room for more edges than a mesh has.
     pub(super) const NONE: Self = Self::boundary([0; 2], NO_NEIGHBOUR);
 
     /// An edge that only one face has, by the indices of its vertices and of the face.
@@ -66,7 +67,7 @@ impl Edge {
         if one < other { [one, other] } else { [other, one] }
     }
 
-    /// What the edge is, when the mesh is drawn as lines.
+    /// Whether the edge is a boundary, a crease or smooth, which decides where it is drawn as a line.
     pub const fn kind(&self) -> EdgeKind {
         let [one, other] = self.faces;
         if other == NO_NEIGHBOUR {

@@ -46,11 +46,11 @@ pub(super) const fn find<const FACES: usize, const EDGES: usize>(
     (edges, count)
 }
 
-/// What is beside a side that is the first one of an edge.
+/// The other faces that have an edge, as seen from the first side of a face that lies in it.
 struct Beside {
-    /// How many faces have the edge.
+    /// How many faces of the mesh have the edge, the one of that side among them.
     faces: u32,
-    /// The next side of the edge, if there is one, and its face.
+    /// The next side of a face that lies in the edge, by its number, and the sides of that face; `None` where there is none.
     following: Option<(u32, FaceSides)>,
 }
 
@@ -80,8 +80,8 @@ impl Beside {
 }
 
 impl<const FACES: usize> Sides<FACES> {
-    /// What is beside a side of a face, if it is the first one of an edge. An edge that more than two faces have is there once
-    /// for every two of them.
+    /// The other faces that have the edge in which a side of a face lies; `None` where a side before it stands for the edge. An
+    /// edge that more than two faces have is there once for every two of them, for which the first of both stands.
     const fn beside(&self, face: &FaceSides, side: u32) -> Option<Beside> {
         let (ends, hash) = (face.ends(side), face.hash(side));
         let (mut before, mut after, mut following) = (0u32, 0u32, None);

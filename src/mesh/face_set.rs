@@ -85,7 +85,7 @@ impl<'a> FaceSet<'a> {
     /// ```
     ///
     /// # Errors
-    /// Of the first polygon that is wrong: [`InputError::IndexOutOfRange`], whose `face` is the polygon;
+    /// For the first polygon that is wrong: [`InputError::IndexOutOfRange`], whose `face` is the polygon;
     /// [`InputError::NotPlanar`]; [`InputError::NotConvex`], also of a polygon that has fewer than three corners, or one that
     /// is repeated or straight. [`InputError::NumberOfFaces`] with the number of triangles, where that is not `FACES`.
     pub const fn triangulate<const FACES: usize>(

@@ -136,7 +136,7 @@ pub(super) const fn named(faces: &[[u16; 3]]) -> &[[u16; 3]] {
     }
 }
 
-/// The number of a side of a face: 0, 1 or 2.
+/// The number of a side, by the index of its face and its place there: 0, 1 or 2.
 pub(super) const fn side_number(face: usize, side: u32) -> u32 {
     face as u32 * 4 + side
 }

@@ -41,7 +41,7 @@ pub struct ScreenEdge<S: ScreenPrecision, D> {
     pub index: usize,
     /// The ends, in the order of the edge's vertices, as they were snapped, or as the edge was cut.
     pub ends: [Corner<S, D>; 2],
-    /// What the edge is; a smooth edge that is drawn is a silhouette.
+    /// Whether the edge is a boundary, a crease or smooth; a smooth edge that is drawn is a silhouette.
     pub kind: EdgeKind,
     /// Whether the surface ends at the edge as it is seen: a boundary, or an edge of whose faces one is seen from the front.
     pub is_silhouette: bool,

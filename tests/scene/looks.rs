@@ -72,8 +72,8 @@ fn check<L: Look<Color = Rgb888, Shading = Rgb888>, Same: Look<Color = Rgb888, S
     );
 }
 
-/// Whether a look draws the picture of another one, and refuses what it says: a corner behind the camera where it cuts no faces,
-/// and too few slots where it does not draw in passes.
+/// Whether a look draws the picture of another one, and refuses what it says: a corner behind the camera where it cuts no
+/// faces, and too few slots where it does not draw in passes.
 fn check_picture<L: Look<Color = Rgb888, Shading = Rgb888>, Same: Look<Color = Rgb888, Shading = Rgb888>>() {
     let found = outcome::<L>();
     assert!(found.picture == outcome::<Same>().picture, "the picture is another one");
@@ -86,7 +86,8 @@ fn check_picture<L: Look<Color = Rgb888, Shading = Rgb888>, Same: Look<Color = R
     }
 }
 
-/// Compares the items of looks with two wrappers in both orders, which all those of a list have that name the same.
+/// For each line of a list, compares the types and constants of looks with two wrappers, in both orders, with those of the look
+/// that the line names.
 macro_rules! check_orders {
     ($($one:ident<$other:ident<Rgb888>> as $named:ty;)+) => {$(
         assert_same_items::<$one<$other<Rgb888>>, $named>();
@@ -118,8 +119,8 @@ fn each_wrapper_changes_one_thing() {
     );
 }
 
-/// All types and constants of a look are the same in whichever order its wrappers are, so that only one of both has to be drawn:
-/// each look that draws takes half a second to compile.
+/// All types and constants of a look are the same in whichever order its wrappers are, so that only one of both has to be
+/// drawn: each look that draws takes half a second to compile.
 #[test]
 fn every_pair_of_wrappers_names_the_same_in_both_orders() {
     check_orders! {

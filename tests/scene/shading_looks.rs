@@ -147,8 +147,8 @@ macro_rules! check_items {
     };
 }
 
-/// Compares the items of every pair of wrappers around a shading, and draws with two looks: one without cuts and passes, and one
-/// without shortcuts. What they draw differs in nothing but what they refuse.
+/// Compares the items of every pair of wrappers around a shading, and draws with two looks: one without cuts and passes, and
+/// one without shortcuts. What they draw differs in nothing but what they refuse.
 ///
 /// Only a few looks draw, because each one that does takes half a second to compile.
 fn check_pairs<H: Skinned<Color = Rgb565>>() {
