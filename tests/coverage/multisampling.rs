@@ -204,6 +204,7 @@ proptest! {
     }
 }
 
+/// Samples in a grid and rooks; every pattern is averaged in two colour types by the tests of random polygons.
 #[test]
 fn every_colour_type_is_averaged() {
     let slanted = vec![[100, 90], [3000, 90], [2500, 2100], [900, 2700]];
@@ -212,8 +213,8 @@ fn every_colour_type_is_averaged() {
         (vec![slanted], FillRule::NonZero, 71),
         (vec![crossing], FillRule::EvenOdd, 1_234_567),
     ];
-    every_color!(check_patterns, LittleEndian; &layers, 1, false);
-    every_color!(check_patterns, BigEndian; &layers, 11, false);
+    every_color!(check_samples, LittleEndian, _; Grid::<4>::new(), &layers, 1, false);
+    every_color!(check_samples, BigEndian, _; Rooks::<8>, &layers, 11, false);
 }
 
 /// What is drawn at the size of the samples, each all or nothing, and filtered by a box.
