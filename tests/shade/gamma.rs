@@ -10,7 +10,7 @@ use zrow::{
     shade::{BlendTarget, ChannelColor},
 };
 
-use crate::common::{channels::Channels, is_deep};
+use crate::common::{cases, channels::Channels, is_deep};
 
 const ANYWHERE: Point = Point::new(3, -5);
 
@@ -81,7 +81,7 @@ fn spread<C: Channels>(level: u32) -> C {
     }))
 }
 
-/// Every level over every level to every coverage, in all channels at a time.
+/// Every level over every level to every coverage, or to every third one from 0 to 255, in all channels at a time.
 fn every_mix<C: Channels, const TENTHS: u32>() {
     let gamma = f64::from(TENTHS) / 10.0;
     let exact = C::MAX.map(|max| Exact::new(max, gamma, bound(TENTHS)));
@@ -90,7 +90,7 @@ fn every_mix<C: Channels, const TENTHS: u32>() {
     let row: Vec<C::Word> = below.iter().map(|color| color.to_word()).collect();
     let mut words = row.clone();
     for color in (0..=levels).map(spread::<C>) {
-        for coverage in 0..=255 {
+        for coverage in (0..=255).step_by(cases(3, 1) as usize) {
             words.copy_from_slice(&row);
             in_light::<C, TENTHS>(&mut words, color, coverage);
             for (&word, &below) in words.iter().zip(&below) {

@@ -454,7 +454,8 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(config(1_500))]
+        // Many more where everything is tried, however long it takes.
+        #![proptest_config(config(if std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1") { 1_500 } else { 300 }))]
 
         #[test]
         fn spans_of_dashes_are_the_dashes_one_by_one(
