@@ -18,6 +18,7 @@ pub mod flight;
 
 pub mod fonts;
 pub mod gauge;
+pub mod gem;
 pub mod instruments;
 pub mod line_siblings;
 pub mod meshes;
