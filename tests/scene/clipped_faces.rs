@@ -7,13 +7,12 @@ use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{InputError, Sub4, Sub8, TooSmall},
-    scene::{Camera, DepthWidth, Memory, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, Memory, Pose, Rotation},
 };
-use zrow_methods::LookOf;
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::numbered_scene::{Scene, area, picture};
+use crate::numbered_scene::{Format, LookOf, Scene, WholeLookOf, area, picture};
 use crate::snapped_faces::camera;
 
 const WIDTH: u32 = 48;
@@ -47,17 +46,17 @@ fn is_seen(face: [[f64; 3]; 3], far: f64, x: f64, y: f64) -> bool {
 }
 
 /// Compares all pixels at whose centre and 0.2 pixels around it the rays agree; returns how many were seen.
-fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) -> usize {
+fn check<S: Format<D>, D: DepthWidth>(corners: [[i16; 3]; 3]) -> usize {
     let area = area(WIDTH, HEIGHT);
     check_with::<S, D>(corners, &camera(area), f64::INFINITY)
 }
 
 /// Compares the pixels of a camera with a far plane.
-fn check_with<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3], camera: &Camera, far: f64) -> usize {
+fn check_with<S: Format<D>, D: DepthWidth>(corners: [[i16; 3]; 3], camera: &Camera, far: f64) -> usize {
     let scene = Scene::new(vec![Mesh::new(corners.to_vec(), vec![[0, 1, 2]])]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(WIDTH, HEIGHT);
-    let mut memory = Memory::<LookOf<Rgb888, S, D>, 40, 1, 128, 40, 8>::new();
+    let mut memory = Memory::<LookOf<S, D>, 40, 1, 128, 40, 8>::new();
     let mut prepared = memory.prepare(camera, &models).unwrap();
     let face = corners.map(|corner| corner.map(f64::from));
     let mut seen = 0;
@@ -126,7 +125,7 @@ proptest! {
 /// one is cut, and its pieces take room.
 #[test]
 fn the_near_plane_cuts_to_the_unit() {
-    fn prepared<S: ScreenPrecision, D: DepthWidth>(behind: I16F16) -> Result<D, InputError> {
+    fn prepared<S: Format<D>, D: DepthWidth>(behind: I16F16) -> Result<D, InputError> {
         let scene = Scene::new(vec![Mesh::new(
             vec![[-50, -40, 0], [-50, 40, 300], [60, 0, 300]],
             vec![[0, 1, 2]],
@@ -136,12 +135,12 @@ fn the_near_plane_cuts_to_the_unit() {
             Rotation::IDENTITY,
             [I16F16::ZERO, I16F16::ZERO, near + behind],
         ));
-        let mut memory = Memory::<LookOf<Rgb888, S, D>, 3, 1, 128, 40, 1>::new();
+        let mut memory = Memory::<LookOf<S, D>, 3, 1, 128, 40, 1>::new();
         let prepared = memory.prepare(&camera(area(WIDTH, HEIGHT)), &models)?;
         let face = prepared.faces().next().expect("a whole face");
         Ok(face.corners[0].depth)
     }
-    fn check<S: ScreenPrecision, D: DepthWidth>() {
+    fn check<S: Format<D>, D: DepthWidth>() {
         let unit = I16F16::from_bits(1 << 4);
         let nearest = camera(area(WIDTH, HEIGHT)).depth_at::<S, D>(I16F16::from_num(NEAR));
         assert_eq!(prepared::<S, D>(I16F16::ZERO), Ok(nearest));
@@ -173,7 +172,7 @@ fn a_wall_that_begins_at_the_near_plane() {
 /// face is cut, the face stays whole.
 #[test]
 fn the_far_plane_cuts_to_the_unit() {
-    fn check<S: ScreenPrecision, D: DepthWidth>() {
+    fn check<S: Format<D>, D: DepthWidth>() {
         let far = I16F16::from_num(600);
         let camera = camera(area(WIDTH, HEIGHT)).with_far(far).unwrap();
         let unit = I16F16::from_bits(1 << 4);
@@ -184,11 +183,11 @@ fn the_far_plane_cuts_to_the_unit() {
             )]);
             let position = [I16F16::ZERO, I16F16::ZERO, far + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, position));
-            let mut memory = Memory::<LookOf<Rgb888, S, D>, 11, 1, 128, 40, 1>::new();
+            let mut memory = Memory::<LookOf<S, D>, 11, 1, 128, 40, 1>::new();
             let prepared = memory.prepare(&camera, &models).unwrap();
             assert_eq!(prepared.vertices_needed() > 3, is_cut, "{behind}");
             assert!(prepared.faces().count() > 0);
-            let mut whole = Memory::<LookOf<Rgb888, S, D, false>, 3, 1, 128, 40, 1>::new();
+            let mut whole = Memory::<WholeLookOf<S, D>, 3, 1, 128, 40, 1>::new();
             assert_eq!(whole.prepare(&camera, &models).err(), None, "{behind}");
         }
     }

@@ -5,22 +5,21 @@ use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Camera, DepthWidth, Memory, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, Memory, Model, Pose, Rotation},
 };
-use zrow_methods::LookOf;
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
-use crate::numbered_scene::{Scene, area, compare, picture};
+use crate::numbered_scene::{Format, LookOf, Scene, area, compare, picture};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
-type SmallMemory<S, D> = Memory<LookOf<Rgb888, S, D>, 400, 64, 128, 64, 64>;
+type SmallMemory<S, D> = Memory<LookOf<S, D>, 400, 64, 128, 64, 64>;
 
 /// All frames of a standard scene; returns how many pixels differ.
-fn standard<S: ScreenPrecision, D: DepthWidth>(meshes: Vec<Mesh>) -> usize {
+fn standard<S: Format<D>, D: DepthWidth>(meshes: Vec<Mesh>) -> usize {
     let scene = Scene::new(meshes);
     let area = area(128, 64);
-    let mut memory = Box::new(Memory::<LookOf<Rgb888, S, D>, 296, 588, 128, 64, 128>::new());
+    let mut memory = Box::new(Memory::<LookOf<S, D>, 296, 588, 128, 64, 128>::new());
     let mut differing = 0;
     for number in 0..64 {
         let models = scene.models(standard_pose(number));
@@ -31,7 +30,7 @@ fn standard<S: ScreenPrecision, D: DepthWidth>(meshes: Vec<Mesh>) -> usize {
     differing
 }
 
-fn standard_scenes<S: ScreenPrecision, D: DepthWidth>() -> [usize; 3] {
+fn standard_scenes<S: Format<D>, D: DepthWidth>() -> [usize; 3] {
     [
         standard::<S, D>(vec![meshes::torus(), meshes::cube(0.5)]),
         standard::<S, D>(vec![meshes::icosphere(1.4)]),
@@ -78,7 +77,7 @@ pub fn faces(size: i16, count: usize) -> impl Strategy<Value = Mesh> {
 
 /// Draws a mesh with every precision and width; returns how many pixels differ.
 fn all_formats(mesh: Mesh, pose: Pose, camera: &Camera) -> [usize; 4] {
-    fn one<S: ScreenPrecision, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> usize {
+    fn one<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> usize {
         let mut memory = SmallMemory::<S, D>::new();
         let mut prepared = memory.prepare(camera, models).unwrap();
         compare(&mut prepared, camera.viewport().to_rectangle())
@@ -179,14 +178,14 @@ fn a_depth_unit_across_the_picture() {
     let scene = Scene::new(vec![Mesh::new(vertices, faces)]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(320, 240);
-    let mut memory = Box::new(Memory::<LookOf<Rgb888, Sub8>, 8, 4, 320, 240, 4>::new());
+    let mut memory = Box::new(Memory::<LookOf<Sub8>, 8, 4, 320, 240, 4>::new());
     let mut prepared = memory.prepare(&camera(area), &models).unwrap();
     assert_eq!(compare(&mut prepared, area), 0);
     let seen = picture(&mut prepared, area);
     for face in 0..4 {
         assert!(seen.contains(&Some(face)), "face {face} is seen");
     }
-    let mut memory = Box::new(Memory::<LookOf<Rgb888, Sub8, u32>, 8, 4, 320, 240, 4>::new());
+    let mut memory = Box::new(Memory::<LookOf<Sub8, u32>, 8, 4, 320, 240, 4>::new());
     assert_eq!(compare(&mut memory.prepare(&camera(area), &models).unwrap(), area), 0);
 }
 
@@ -262,7 +261,7 @@ fn near_plane_through_vertices() {
 /// by exactly one face, though the near plane and the guard band cut some of them.
 #[test]
 fn a_floor_under_the_camera_has_no_cracks() {
-    fn floor<S: ScreenPrecision, D: DepthWidth>() {
+    fn floor<S: Format<D>, D: DepthWidth>() {
         let mut vertices = Vec::new();
         let mut faces = Vec::new();
         for row in 0..8i16 {
@@ -279,7 +278,7 @@ fn a_floor_under_the_camera_has_no_cracks() {
         let area = area(96, 80);
         let whole = Scene::new(vec![Mesh::new(vertices.clone(), faces.clone())]);
         let models = whole.models(Pose::IDENTITY);
-        let mut memory = Box::new(Memory::<LookOf<Rgb888, S, D>, 600, 98, 128, 80, 98>::new());
+        let mut memory = Box::new(Memory::<LookOf<S, D>, 600, 98, 128, 80, 98>::new());
         let mut prepared = memory.prepare(&camera(area), &models).unwrap();
         assert!(snapped(&prepared).len() > 20);
         let all = picture(&mut prepared, area);

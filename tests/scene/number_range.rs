@@ -10,13 +10,13 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Window},
-    scene::{Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Memory, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Look, Memory, Model, Pose, Rotation},
     shade::{LinearGradient, Paint, RadialGradient, Ramp, Transformed},
 };
-use zrow_methods::LookOf;
 
 use crate::common::config;
 use crate::common::numbers::any_number;
+use crate::numbered_scene::{Format, LookOf, WholeLookOf};
 
 proptest! {
     #![proptest_config(config(20_000))]
@@ -129,12 +129,12 @@ proptest! {
 const COLORS: [Rgb888; 4] = [Rgb888::RED, Rgb888::GREEN, Rgb888::BLUE, Rgb888::WHITE];
 
 /// The picture of a scene in bands of so many rows; `None` where it cannot be prepared.
-fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
+fn scene<L: Look<Color = Rgb888, Shading = Rgb888>>(
     camera: &Camera,
     models: &[Model<'_, Rgb888>],
     rows: u32,
 ) -> Result<Vec<u32>, InputError> {
-    let mut memory = Box::new(Memory::<LookOf<Rgb888, S, D, CUTS>, 256, 8, 128, 48, 64>::new());
+    let mut memory = Box::new(Memory::<L, 256, 8, 128, 48, 64>::new());
     let mut prepared = memory.prepare(camera, models)?;
     let viewport = camera.viewport();
     let (width, height) = (viewport.width(), viewport.height());
@@ -150,20 +150,20 @@ fn scene<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
     Ok(words)
 }
 
-fn check_scene<S: ScreenPrecision, D: DepthWidth>(
+fn check_scene<S: Format<D>, D: DepthWidth>(
     camera: &Camera,
     models: &[Model<'_, Rgb888>],
 ) -> Result<(), TestCaseError> {
-    let whole = scene::<S, D, true>(camera, models, 48);
+    let whole = scene::<LookOf<S, D>>(camera, models, 48);
     match &whole {
         Ok(picture) => {
-            prop_assert_eq!(&scene::<S, D, true>(camera, models, 1).unwrap(), picture);
-            prop_assert_eq!(&scene::<S, D, true>(camera, models, 5).unwrap(), picture);
+            prop_assert_eq!(&scene::<LookOf<S, D>>(camera, models, 1).unwrap(), picture);
+            prop_assert_eq!(&scene::<LookOf<S, D>>(camera, models, 5).unwrap(), picture);
         }
         Err(error) => prop_assert!(matches!(error, InputError::OutOfDomain { .. }), "{}", error),
     }
     // Where no face has to be cut, none is.
-    if let Ok(picture) = scene::<S, D, false>(camera, models, 48) {
+    if let Ok(picture) = scene::<WholeLookOf<S, D>>(camera, models, 48) {
         prop_assert_eq!(Some(picture), whole.ok());
     }
     Ok(())

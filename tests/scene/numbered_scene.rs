@@ -3,13 +3,43 @@
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use zrow::{
     band::Band,
-    geometry::SubPixel,
-    scene::{DepthWidth, Look, Model, Pose, Prepared},
+    geometry::{Sub4, Sub8, SubPixel},
+    scene::{Deep, DepthWidth, Fine, Look, Model, Pose, Prepared, ScreenPrecision, Whole},
 };
 
 use crate::common::meshes::Mesh;
 use crate::reference::nearest_faces::{Depth, owners};
 use crate::snapped_faces::snapped;
+
+/// A precision with a width of depths, and the looks of numbered scenes that both name.
+pub trait Format<D: DepthWidth>: ScreenPrecision {
+    type Look: Look<Color = Rgb888, Shading = Rgb888, Precision = Self, Depth = D>;
+    /// The look that cuts no faces.
+    type WholeLook: Look<Color = Rgb888, Shading = Rgb888, Precision = Self, Depth = D>;
+}
+
+impl Format<u16> for Sub4 {
+    type Look = Rgb888;
+    type WholeLook = Whole<Rgb888>;
+}
+
+impl Format<u32> for Sub4 {
+    type Look = Deep<Rgb888>;
+    type WholeLook = Deep<Whole<Rgb888>>;
+}
+
+impl Format<u16> for Sub8 {
+    type Look = Fine<Rgb888>;
+    type WholeLook = Fine<Whole<Rgb888>>;
+}
+
+impl Format<u32> for Sub8 {
+    type Look = Fine<Deep<Rgb888>>;
+    type WholeLook = Whole<Fine<Deep<Rgb888>>>;
+}
+
+pub type LookOf<S, D = u16> = <S as Format<D>>::Look;
+pub type WholeLookOf<S, D = u16> = <S as Format<D>>::WholeLook;
 
 /// A colour that names a face; black is no face.
 pub fn color_of(order: usize) -> Rgb888 {

@@ -5,21 +5,20 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, TooSmall},
-    scene::{Camera, DepthWidth, Memory, Model, Pose, Prepared, ScreenPrecision},
+    scene::{Camera, DepthWidth, Look, Memory, Model, Pose, Prepared},
 };
-use zrow_methods::LookOf;
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
 use crate::depth_row::{faces, pose};
-use crate::numbered_scene::{Scene, area, picture};
+use crate::numbered_scene::{Format, LookOf, Scene, area, picture};
 use crate::snapped_faces::{camera, standard_pose};
 
-type MemoryOf<S, D, const ACTIVE: usize> = Memory<LookOf<Rgb888, S, D>, 600, 128, 128, 64, ACTIVE>;
+type MemoryOf<S, D, const ACTIVE: usize> = Memory<LookOf<S, D>, 600, 128, 128, 64, ACTIVE>;
 
 /// The faces of a picture drawn in bands of this height and width, from below or from above.
-fn in_bands<S: ScreenPrecision, D: DepthWidth>(
-    prepared: &mut Prepared<'_, '_, LookOf<Rgb888, S, D>>,
+fn in_bands<L: Look<Color = Rgb888>>(
+    prepared: &mut Prepared<'_, '_, L>,
     whole: Rectangle,
     [width, height]: [u32; 2],
     upwards: bool,
@@ -47,7 +46,7 @@ fn in_bands<S: ScreenPrecision, D: DepthWidth>(
 }
 
 /// Draws models with so few slots in bands of several sizes and orders, and compares each picture.
-fn check_slots<S: ScreenPrecision, D: DepthWidth, const ACTIVE: usize>(
+fn check_slots<S: Format<D>, D: DepthWidth, const ACTIVE: usize>(
     models: &[Model<'_, Rgb888>],
     camera: &Camera,
     expected: &[Rgb888],
@@ -76,7 +75,7 @@ fn check_slots<S: ScreenPrecision, D: DepthWidth, const ACTIVE: usize>(
 }
 
 /// One, two, three and seven slots against room for all.
-fn check<S: ScreenPrecision, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) {
+fn check<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) {
     let area = camera.viewport().to_rectangle();
     let mut memory = Box::new(MemoryOf::<S, D, 128>::new());
     let mut prepared = memory.prepare(camera, models).unwrap();
@@ -157,8 +156,8 @@ fn equally_near_faces_whose_order_is_not_that_of_the_table() {
 fn standard_scenes_with_a_quarter_of_the_slots() {
     let scene = Scene::new(vec![meshes::torus(), meshes::cube(0.5)]);
     let area = area(128, 64);
-    let mut large = Box::new(Memory::<LookOf<Rgb888>, 296, 588, 128, 64, 60>::new());
-    let mut small = Box::new(Memory::<LookOf<Rgb888>, 296, 588, 128, 64, 14>::new());
+    let mut large = Box::new(Memory::<Rgb888, 296, 588, 128, 64, 60>::new());
+    let mut small = Box::new(Memory::<Rgb888, 296, 588, 128, 64, 14>::new());
     for number in (0..64).step_by(8) {
         let models = scene.models(standard_pose(number));
         let expected = picture(&mut large.prepare(&camera(area), &models).unwrap(), area);
@@ -181,7 +180,7 @@ fn standard_scenes_with_a_quarter_of_the_slots() {
 fn without_slots_faces_are_an_error() {
     let scene = Scene::new(vec![meshes::cube(0.5)]);
     let models = scene.models(standard_pose(0));
-    let mut memory = Memory::<LookOf<Rgb888>, 8, 12, 128, 64, 0>::new();
+    let mut memory = Memory::<Rgb888, 8, 12, 128, 64, 0>::new();
     let error = memory.prepare(&camera(area(128, 64)), &models).err();
     assert_eq!(error, Some(InputError::TooSmall(TooSmall::ActiveFaces(1))));
     assert!(memory.prepare(&camera(area(128, 64)), &[]).is_ok());

@@ -5,11 +5,11 @@ use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation},
 };
-use zrow_methods::LookOf;
 
 use crate::common::config;
+use crate::numbered_scene::{Format, LookOf};
 
 type Matrix = [[f64; 3]; 3];
 
@@ -116,11 +116,11 @@ fn eye(vertex: [i16; 3], model: &Pose, camera: &Pose) -> [f64; 3] {
 }
 
 /// Projects a vertex through a face of three of it; returns units of x, y and depth, where it is on the screen.
-fn projected<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, camera: &Camera) -> Option<[f64; 3]> {
+fn projected<S: Format<D>, D: DepthWidth>(vertex: [i16; 3], model: Pose, camera: &Camera) -> Option<[f64; 3]> {
     let vertices = [vertex];
     let mesh = FaceSet::new(&vertices, &[[0, 0, 0]]).unwrap();
     let models = [Model::new(mesh, &[Rgb888::RED]).unwrap().with_pose(model)];
-    let mut memory = Memory::<LookOf<Rgb888, S, D>, 1, 1, 320, 240, 0>::new();
+    let mut memory = Memory::<LookOf<S, D>, 1, 1, 320, 240, 0>::new();
     let prepared = memory.prepare(camera, &models).unwrap();
     let face = prepared.faces().next()?;
     let corner = face.corners[0];
@@ -129,7 +129,7 @@ fn projected<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, c
 
 /// Checks a vertex against `f64`. The eye point is rounded to 1/4096 unit from a matrix of 14 or 30 bits, and `relative` is
 /// the error of the reciprocal; half a unit is the snapping.
-fn check<S: ScreenPrecision, D: DepthWidth>(vertex: [i16; 3], model: Pose, camera: &Camera, relative: f64) {
+fn check<S: Format<D>, D: DepthWidth>(vertex: [i16; 3], model: Pose, camera: &Camera, relative: f64) {
     let viewport = camera.viewport();
     let unit = f64::from(1 << S::FRACTION_BITS);
     let focal = camera.focal_length().to_num::<f64>() * unit;
@@ -279,7 +279,7 @@ fn the_farthest_corners_do_not_wrap() {
 
 /// Of a corner 20,000 units from the origin of its model, how far it is from the exact place on the screen, in pixels: seen at a
 /// distance, and from there on turned in steps.
-fn largest_error<S: ScreenPrecision>(distance: i32) -> f64 {
+fn largest_error<S: Format<u32>>(distance: i32) -> f64 {
     let camera = camera(128, Pose::IDENTITY)
         .with_focal_length(I16F16::from_num(256))
         .unwrap();

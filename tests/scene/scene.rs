@@ -12,12 +12,11 @@ use zrow::{
     band::{Band, BigEndian, PictureLoop},
     draw::DrawOn,
     geometry::{InputError, Sub4, Sub8, TooSmall},
-    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation, ScreenPrecision},
+    scene::{Camera, DepthWidth, FaceSet, Fine, Memory, Model, OnePass, Pose, Rotation},
 };
-use zrow_methods::LookOf;
 
 use crate::common::meshes::{self, Mesh};
-use crate::numbered_scene::{Scene, area, color_of, picture};
+use crate::numbered_scene::{Format, LookOf, Scene, area, color_of, picture};
 use crate::reference::nearest_faces;
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
@@ -259,7 +258,7 @@ fn a_full_table_says_exactly_what_is_needed() {
 #[test]
 fn active_faces_are_counted_exactly() {
     let scene = sc1();
-    let mut memory = Box::new(Memory::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 128, 64, 10>::new());
+    let mut memory = Box::new(Memory::<OnePass<Rgb888>, 296, 588, 128, 64, 10>::new());
     let mut large = Box::new(Sc1Memory::new());
     let mut most = 0;
     for number in 0..64 {
@@ -290,7 +289,7 @@ fn active_faces_are_counted_exactly() {
         most = most.max(needed);
     }
     assert_eq!(most, 56);
-    let mut exact = Box::new(Memory::<LookOf<Rgb888, Sub4, u16, true, false>, 296, 588, 128, 64, 56>::new());
+    let mut exact = Box::new(Memory::<OnePass<Rgb888>, 296, 588, 128, 64, 56>::new());
     for number in 0..64 {
         assert!(
             exact
@@ -301,9 +300,9 @@ fn active_faces_are_counted_exactly() {
 }
 
 /// The picture with the depth row in use everywhere.
-fn with_depths<const ACTIVE: usize, S: ScreenPrecision>(scene: &Scene) -> Vec<Rgb888> {
+fn with_depths<const ACTIVE: usize, S: Format<u16>>(scene: &Scene) -> Vec<Rgb888> {
     let models = scene.models(Pose::new(Rotation::about_x(U0F16::ZERO), at(0, 0, 1024)));
-    let mut memory = Memory::<LookOf<Rgb888, S>, 48, 16, 128, 64, ACTIVE>::new();
+    let mut memory = Memory::<LookOf<S>, 48, 16, 128, 64, ACTIVE>::new();
     let mut prepared = memory.prepare(&camera(area(128, 64)), &models).unwrap();
     let mut words = vec![0; 128 * 64];
     let mut band = Band::<Rgb888>::new(area(128, 64), &mut words).unwrap();
@@ -420,24 +419,19 @@ fn what_cannot_be_is_an_error() {
     );
     // Within 24.8, beyond 12.4.
     let far = Camera::new(Rectangle::new(Point::new(1000, 0), Size::new(24, 2)), near).unwrap();
-    let error = Memory::<LookOf<Rgb565>, 0, 0, 128, 2, 0>::new()
-        .prepare(&far, &[])
-        .err();
+    let error = Memory::<Rgb888, 0, 0, 128, 2, 0>::new().prepare(&far, &[]).err();
     assert_eq!(error, Some(InputError::OutOfDomain { min: -1024, max: 1023 }));
     assert!(
-        Memory::<LookOf<Rgb565, Sub8>, 0, 0, 128, 2, 0>::new()
+        Memory::<Fine<Rgb888>, 0, 0, 128, 2, 0>::new()
             .prepare(&far, &[])
             .is_ok()
     );
 }
 
 /// The picture and the number of rows without depths, through `draw` and with the depth row in use everywhere.
-fn with_and_without_depths<S: ScreenPrecision, D: DepthWidth>(
-    models: &[Model<'_, Rgb888>],
-    camera: &Camera,
-) -> (bool, u32) {
+fn with_and_without_depths<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> (bool, u32) {
     let area = area(128, 64);
-    let mut memory = Box::new(Memory::<LookOf<Rgb888, S, D>, 400, 600, 128, 64, 128>::new());
+    let mut memory = Box::new(Memory::<LookOf<S, D>, 400, 600, 128, 64, 128>::new());
     let mut prepared = memory.prepare(camera, models).unwrap();
     let drawn = picture(&mut prepared, area);
     let rows = prepared.rows_without_depth();

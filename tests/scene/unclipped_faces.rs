@@ -1,25 +1,23 @@
 //! Frames that cut no faces: the same pictures where none has to be cut, an error where one might have to be.
 
-use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
-    scene::{DepthWidth, Memory, Pose, Rotation, ScreenPrecision},
+    scene::{DepthWidth, Memory, Pose, Rotation},
 };
-use zrow_methods::LookOf;
 
 use crate::common::config;
 use crate::common::meshes::{self, Mesh};
-use crate::numbered_scene::{Scene, area, picture};
+use crate::numbered_scene::{Format, LookOf, Scene, WholeLookOf, area, picture};
 use crate::snapped_faces::{at, camera, standard_pose};
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;
 const NEAR: i32 = 128;
 
-type Clipping<S, D> = Memory<LookOf<Rgb888, S, D>, 400, 600, 128, 64, 128>;
-type Whole<S, D> = Memory<LookOf<Rgb888, S, D, false>, 400, 600, 128, 64, 128>;
+type Clipping<S, D> = Memory<LookOf<S, D>, 400, 600, 128, 64, 128>;
+type Whole<S, D> = Memory<WholeLookOf<S, D>, 400, 600, 128, 64, 128>;
 
 /// What a vertex is beyond that is off the screen.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -37,7 +35,7 @@ fn off_screen(model: usize, beyond: OutsideOf) -> InputError {
 
 #[test]
 fn the_standard_scenes_look_the_same() {
-    fn check<S: ScreenPrecision, D: DepthWidth>() {
+    fn check<S: Format<D>, D: DepthWidth>() {
         let scenes = [
             vec![meshes::torus(), meshes::cube(0.5)],
             vec![meshes::icosphere(1.4)],
@@ -97,7 +95,7 @@ fn expected<S: SubPixel, D: DepthWidth>([x, y, z]: [i16; 3]) -> Option<Result<()
 
 /// Prepares a face alone: the error is that of its first corner that is beyond something, the picture is that of a
 /// frame that cuts.
-fn check<S: ScreenPrecision, D: DepthWidth>(corners: [[i16; 3]; 3]) {
+fn check<S: Format<D>, D: DepthWidth>(corners: [[i16; 3]; 3]) {
     let corner_by_corner = corners.map(expected::<S, D>);
     let first = corner_by_corner.into_iter().find(|corner| *corner != Some(Ok(())));
     let Some(expected) = first.unwrap_or(Some(Ok(()))) else {
@@ -152,7 +150,7 @@ proptest! {
 /// On the near plane, and 1/4096 unit, which is the finest there is, behind and in front of it.
 #[test]
 fn the_near_plane_itself_is_no_error() {
-    fn check<S: ScreenPrecision, D: DepthWidth>() {
+    fn check<S: Format<D>, D: DepthWidth>() {
         let scene = Scene::new(vec![Mesh::new(
             vec![[-50, -40, 0], [-50, 40, 300], [60, 0, 300]],
             vec![[0, 1, 2]],
@@ -165,7 +163,7 @@ fn the_near_plane_itself_is_no_error() {
         ] {
             let position = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, position));
-            let mut memory = Memory::<LookOf<Rgb888, S, D, false>, 3, 1, 128, 40, 1>::new();
+            let mut memory = Memory::<WholeLookOf<S, D>, 3, 1, 128, 40, 1>::new();
             assert_eq!(memory.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
         }
     }
@@ -186,7 +184,7 @@ fn the_guard_band_ends_where_it_says() {
                 vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
                 vec![[0, 1, 2]],
             )]);
-            let mut memory = Memory::<LookOf<Rgb888, Sub4, u16, false>, 3, 1, 128, 40, 1>::new();
+            let mut memory = Memory::<WholeLookOf<Sub4>, 3, 1, 128, 40, 1>::new();
             let prepared = memory
                 .prepare(&camera(area(WIDTH, HEIGHT)), &scene.models(Pose::IDENTITY))
                 .err();
@@ -218,7 +216,7 @@ fn an_error_leaves_the_storage_usable() {
         assert_eq!(picture(&mut memory.prepare(&camera, &models).unwrap(), area), before);
     }
     // Of several things that are wrong, the tables come first: they say what would do.
-    let mut small = Memory::<LookOf<Rgb888, Sub4, u16, false>, 295, 588, 128, 64, 128>::new();
+    let mut small = Memory::<WholeLookOf<Sub4>, 295, 588, 128, 64, 128>::new();
     let full = InputError::TooSmall(TooSmall::Vertices(296));
     assert_eq!(small.prepare(&camera, &scene.models(near)).err(), Some(full));
 }
