@@ -141,10 +141,10 @@ fn test_camera() -> Camera {
         .unwrap()
 }
 
-/// Two sides in each look, and in each pair of wrappers in both orders.
+/// Two sides in each look. In which order the wrappers are changes no item of a look, as `looks` shows.
 macro_rules! check_looks {
-    ($single:expr, $double:expr, $camera:expr; $($single_sided:ty, $($double_sided:ty),+;)+) => {
-        [$($(check::<$single_sided, $double_sided>($single, $double, $camera)),+),+]
+    ($single:expr, $double:expr, $camera:expr; $($single_sided:ty, $double_sided:ty;)+) => {
+        [$(check::<$single_sided, $double_sided>($single, $double, $camera)),+]
     };
 }
 
@@ -164,15 +164,14 @@ fn two_sides_are_two_faces() {
             let single = models::<Rgb888>(&pair.meshes, pair.poses, once.each_ref().map(|colors| &colors[..]));
             let double = models::<Rgb888>(&doubled, pair.poses, twice.each_ref().map(|colors| &colors[..]));
             let counts = check_looks!(&single, &double, camera;
-                Rgb888, DoubleSided<Rgb888>, DoubleSided<DoubleSided<Rgb888>>;
-                Fine<Rgb888>, DoubleSided<Fine<Rgb888>>, Fine<DoubleSided<Rgb888>>;
-                Deep<Rgb888>, DoubleSided<Deep<Rgb888>>, Deep<DoubleSided<Rgb888>>;
-                Whole<Rgb888>, DoubleSided<Whole<Rgb888>>, Whole<DoubleSided<Rgb888>>;
-                OnePass<Rgb888>, DoubleSided<OnePass<Rgb888>>, OnePass<DoubleSided<Rgb888>>;
-                Orthographic<Rgb888>, DoubleSided<Orthographic<Rgb888>>, Orthographic<DoubleSided<Rgb888>>;
-                Unhurried<Rgb888>, DoubleSided<Unhurried<Rgb888>>, Unhurried<DoubleSided<Rgb888>>;
-                Rgb888, DoubleSided<Counted<Rgb888>>, Counted<DoubleSided<Rgb888>>;
-                Fine<Deep<Orthographic<Rgb888>>>, Fine<DoubleSided<Deep<Orthographic<Rgb888>>>>;
+                Rgb888, DoubleSided<Rgb888>;
+                Fine<Rgb888>, DoubleSided<Fine<Rgb888>>;
+                Deep<Rgb888>, DoubleSided<Deep<Rgb888>>;
+                Whole<Rgb888>, DoubleSided<Whole<Rgb888>>;
+                OnePass<Rgb888>, DoubleSided<OnePass<Rgb888>>;
+                Orthographic<Rgb888>, DoubleSided<Orthographic<Rgb888>>;
+                Unhurried<Counted<Rgb888>>, DoubleSided<Unhurried<Counted<Rgb888>>>;
+                Orthographic<Fine<Deep<Rgb888>>>, Fine<DoubleSided<Deep<Orthographic<Rgb888>>>>;
             );
             backs.set(backs.get() + counts.iter().sum::<usize>());
 
@@ -186,7 +185,7 @@ fn two_sides_are_two_faces() {
             let [first, second] = &twice;
             let double = models::<Mapped>(&doubled, pair.poses, [(first, maps[0]), (second, maps[1])]);
             check::<Mapped, DoubleSided<Mapped>>(&single, &double, camera);
-            check::<Fine<Mapped>, DoubleSided<Fine<Mapped>>>(&single, &double, camera);
+            check::<Fine<Deep<Mapped>>, DoubleSided<Fine<Deep<Mapped>>>>(&single, &double, camera);
 
             // Models that are left out as a whole have no backs either.
             let [first, second] = &once;
@@ -195,11 +194,11 @@ fn two_sides_are_two_faces() {
             let single = models::<Boxed>(&pair.meshes, pair.poses, [(first, bounds[0]), (second, bounds[1])]);
             let [first, second] = &twice;
             let double = models::<Boxed>(&doubled, pair.poses, [(first, bounds[0]), (second, bounds[1])]);
-            check::<Boxed, DoubleSided<Boxed>>(&single, &double, camera);
+            check::<Counted<Boxed>, DoubleSided<Counted<Boxed>>>(&single, &double, camera);
             Ok(())
         })
         .unwrap();
-    assert!(backs.get() > 5_000, "{}", backs.get());
+    assert!(backs.get() > 2_400, "{}", backs.get());
 }
 
 proptest! {
@@ -214,15 +213,20 @@ proptest! {
         let doubled = pair.meshes.each_ref().map(doubled);
         let skins = numbers.each_ref().map(|numbers| Numbers { of_vertices: &numbers[..], shown: 0 });
         macro_rules! check_attributes {
-            ($($shading:ty),+) => {$(
+            ($($shading:ty, $parallel:ty;)+) => {$(
                 let single = models::<$shading>(&pair.meshes, pair.poses, skins);
                 let double = models::<$shading>(&doubled, pair.poses, skins);
                 let camera = &test_camera();
                 check::<$shading, DoubleSided<$shading>>(&single, &double, camera);
-                check::<Fine<Orthographic<$shading>>, Orthographic<DoubleSided<Fine<$shading>>>>(&single, &double, camera);
+                let single = models::<<$parallel as Look>::Shading>(&pair.meshes, pair.poses, skins);
+                let double = models::<<$parallel as Look>::Shading>(&doubled, pair.poses, skins);
+                check::<$parallel, DoubleSided<$parallel>>(&single, &double, camera);
             )+};
         }
-        check_attributes!(Even<1>, InSpace<1>, InSpace<1, 4>);
+        check_attributes! {
+            Even<1>, Orthographic<Fine<Deep<Even<1>>>>;
+            InSpace<1, 4>, Fine<Orthographic<Deep<InSpace<1>>>>;
+        }
     }
 }
 
@@ -355,5 +359,5 @@ fn backs_are_not_culled() {
             .faces_culled
     }
     assert_eq!(culled::<Counted<Rgb888>>(&models), 6);
-    assert_eq!(culled::<DoubleSided<Counted<Rgb888>>>(&models), 0);
+    assert_eq!(culled::<DoubleSided<Unhurried<Counted<Rgb888>>>>(&models), 0);
 }

@@ -8,8 +8,8 @@ use proptest::prelude::*;
 use zrow::{
     geometry::SubPixel,
     scene::{
-        Affine, BoundingBox, Camera, Deep, DepthWidth, DoubleSided, Edge, EdgeKind, FaceSet, Fine, Look, Memory, Model,
-        Orthographic, Pose, Rotation, Whole,
+        Affine, BoundingBox, Camera, Counted, Deep, DepthWidth, DoubleSided, Edge, EdgeKind, FaceSet, Fine, Look,
+        Memory, Model, Orthographic, Pose, Rotation, Whole,
     },
     shade::{Bounded, Transformed},
 };
@@ -179,7 +179,7 @@ fn mirrored_models_and_those_that_are_left_out_have_their_edges() {
         model.with_pose(Pose::new(Rotation::IDENTITY, at(0, 0, -3_000))),
         model.with_pose(standard_pose(3)),
     ];
-    let mut memory = Box::new(Memory::<Bounded<Rgb888>, 16, 24, 96, 80>::new());
+    let mut memory = Box::new(Memory::<Counted<Bounded<Rgb888>>, 16, 24, 96, 80>::new());
     let scene = memory.prepare(&camera, &models).unwrap();
     assert_eq!(
         scene
