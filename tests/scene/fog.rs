@@ -7,11 +7,11 @@ use embedded_graphics::{
 use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
-    band::Band,
-    scene::{Camera, Deep, FaceSet, Fine, Look, Memory, Model, OnePass, Pose, Rotation, Whole},
+    band::{Band, BandColor},
+    scene::{Camera, Deep, FaceSet, Fine, Look, Memory, Model, Pose, Rotation},
     shade::{
-        DirectionalLight, Fog, Foggy, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Perspective,
-        Shading, Texels, Textured, TexturedSkin,
+        ChannelColor, DirectionalLight, Fog, Foggy, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin,
+        Perspective, Shading, Texels, Textured, TexturedSkin,
     },
 };
 
@@ -19,6 +19,8 @@ use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
 use crate::numbered_scene::area;
 use crate::shaded_scene::{SIZE, SmallMemory, TEXELS, UNTOUCHED, camera_in_units, words};
+use crate::shading_bands::WordOf;
+use crate::shading_looks::Careful;
 use crate::snapped_faces::at;
 
 /// Curves that tell each two steps beside each other apart, together.
@@ -317,48 +319,47 @@ fn a_floor_goes_into_the_fog() {
 }
 
 /// The words of a scene of one model, on black.
-fn picture<'a, L: Look<Color = Rgb565>>(mesh: &'a Mesh, skin: <L::Shading as Shading>::Skin<'a>) -> Vec<u16> {
+fn picture<'a, L: Look<Color: RgbColor>>(mesh: &'a Mesh, skin: <L::Shading as Shading>::Skin<'a>) -> Vec<WordOf<L>> {
     let camera = camera_in_units();
     let area = camera.viewport().to_rectangle();
     let mut memory = Box::new(Memory::<L, 64, 16, 128, 79, 16>::new());
-    let mut words = vec![0; (area.size.width * area.size.height) as usize];
+    let mut words = vec![L::Color::BLACK.to_word(); (area.size.width * area.size.height) as usize];
     let models = [Model::<L::Shading>::with_skin(mesh.face_set(), skin).unwrap()];
     memory
         .prepare(&camera, &models)
         .unwrap()
-        .draw(&mut Band::<Rgb565>::new(area, &mut words).unwrap());
+        .draw(&mut Band::<L::Color>::new(area, &mut words).unwrap());
     words
 }
 
 /// In front of a fog each pixel is what it is without one, behind its end each has the fog's colour.
-fn check_ends<'a, H: Shading<Color = Rgb565>>(mesh: &'a Mesh, skin: H::Skin<'a>) {
-    fn one<'a, H, L, F>(mesh: &'a Mesh, skin: H::Skin<'a>)
-    where
-        H: Shading<Color = Rgb565>,
-        L: Look<Color = Rgb565, Shading = H>,
-        F: Look<Color = Rgb565, Shading = Foggy<H>>,
-    {
-        let own = picture::<L>(mesh, skin);
-        assert!(own.iter().filter(|&&word| word != 0).count() > 2_000);
-        for curve in [Fog::LINEAR, Fog::EXPONENTIAL] {
-            let color = Rgb565::new(9, 60, 1);
-            let before = picture::<F>(mesh, (skin, fog(color, 3_000.0, 4_000.0, curve)));
-            assert!(before == own, "before the fog");
-            // Start behind the end: as thick as can be one unit behind the start.
-            for (start, end) in [
-                (100.0, 600.0),
-                (-20_000.0, -9_000.0),
-                (500.0, 400.0),
-                (-32_768.0, -32_768.0),
-            ] {
-                let behind = picture::<F>(mesh, (skin, fog(color, start, end, curve)));
-                let expected = own.iter().map(|&word| if word == 0 { 0 } else { color.into_storage() });
-                assert!(behind.into_iter().eq(expected), "behind the fog from {start} to {end}");
-            }
+fn check_ends<'a, L, F>(mesh: &'a Mesh, skin: <L::Shading as Shading>::Skin<'a>, color: L::Color)
+where
+    L: Look<Color: RgbColor>,
+    F: Look<Color = L::Color, Shading = Foggy<L::Shading>>,
+    L::Shading: Shading<Color: ChannelColor>,
+    WordOf<L>: PartialEq,
+{
+    let black = L::Color::BLACK.to_word();
+    let own = picture::<L>(mesh, skin);
+    assert!(own.iter().filter(|&&word| word != black).count() > 2_000);
+    for curve in [Fog::LINEAR, Fog::EXPONENTIAL] {
+        let before = picture::<F>(mesh, (skin, fog(color, 3_000.0, 4_000.0, curve)));
+        assert!(before == own, "before the fog");
+        // Start behind the end: as thick as can be one unit behind the start.
+        for (start, end) in [
+            (100.0, 600.0),
+            (-20_000.0, -9_000.0),
+            (500.0, 400.0),
+            (-32_768.0, -32_768.0),
+        ] {
+            let behind = picture::<F>(mesh, (skin, fog(color, start, end, curve)));
+            let expected = own
+                .iter()
+                .map(|&word| if word == black { black } else { color.to_word() });
+            assert!(behind.into_iter().eq(expected), "behind the fog from {start} to {end}");
         }
     }
-    one::<H, H, Foggy<H>>(mesh, skin);
-    one::<H, Whole<Deep<OnePass<Fine<H>>>>, Whole<Deep<OnePass<Fine<Foggy<H>>>>>>(mesh, skin);
 }
 
 #[test]
@@ -379,21 +380,24 @@ fn fog_keeps_what_is_before_it_and_hides_what_is_behind() {
         lights: [DirectionalLight::from_direction([0, 0, -1].map(I16F16::from_num), U0F16::from_num(0.2)).unwrap()],
         points: [],
     };
-    check_ends::<Rgb565>(&mesh, &colors[..2]);
-    check_ends::<Gouraud<Rgb565>>(
+    let (flat, color) = ([Rgb888::RED, Rgb888::new(3, 50, 9)], Rgb565::new(9, 60, 1));
+    check_ends::<Rgb888, Foggy<Rgb888>>(&mesh, &flat, Rgb888::new(9, 60, 1));
+    check_ends::<Gouraud<Rgb565>, Foggy<Gouraud<Rgb565>>>(
         &mesh,
         GouraudSkin {
             colors: &colors,
             normals: &normals,
             lights,
         },
+        color,
     );
-    check_ends::<Textured<Texels<Rgb565, 16, 16>>>(
+    check_ends::<Textured<Texels<Rgb565, 16, 16>>, Foggy<Textured<Texels<Rgb565, 16, 16>>>>(
         &mesh,
         TexturedSkin {
             image: &TEXELS,
             coordinates: &coordinates,
         },
+        color,
     );
     let skin = LitTexturedSkin {
         image: &TEXELS,
@@ -401,5 +405,7 @@ fn fog_keeps_what_is_before_it_and_hides_what_is_behind() {
         normals: &normals,
         lights,
     };
-    check_ends::<LitTextured<Texels<Rgb565, 16, 16>>>(&mesh, skin);
+    type Lit = LitTextured<Texels<Rgb565, 16, 16>>;
+    check_ends::<Lit, Foggy<Lit>>(&mesh, skin, color);
+    check_ends::<Careful<Lit>, Careful<Foggy<Lit>>>(&mesh, skin, color);
 }
