@@ -9,7 +9,7 @@ use embedded_graphics::{
 use fixed::types::{I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
-    band::Band,
+    band::{Band, BandColor},
     geometry::{InputError, TooSmall},
     scene::{
         Antialiased, Camera, Deep, DoubleSided, Fine, InstructionSet, Look, Memory, Model, Orthographic, Pose, Rotation,
@@ -64,20 +64,20 @@ fn estimate<'a, L: Look>(
     memory.prepare(&camera(area()), &models).unwrap().estimate(set)
 }
 
-fn flat<L: Look<Color = Rgb565, Shading = Rgb565>>(mesh: &Mesh, pose: Pose, set: InstructionSet) -> u32 {
-    estimate::<L>(mesh, &vec![Rgb565::RED; mesh.faces.len()], pose, set)
+fn flat<L: Look<Color = Rgb888, Shading = Rgb888>>(mesh: &Mesh, pose: Pose, set: InstructionSet) -> u32 {
+    estimate::<L>(mesh, &vec![Rgb888::RED; mesh.faces.len()], pose, set)
 }
 
-const IMAGE: [[u16; 64]; 64] = [[0x1234; 64]; 64];
+const IMAGE: [[u16; 16]; 16] = [[0x1234; 16]; 16];
 
-fn textured(coordinates: &[[i16; 2]]) -> TexturedSkin<'_, Texels<Rgb565, 64, 64>> {
+fn textured(coordinates: &[[i16; 2]]) -> TexturedSkin<'_, Texels<Rgb565, 16, 16>> {
     TexturedSkin {
         image: &IMAGE,
         coordinates,
     }
 }
 
-fn lit(coordinates: &[[i16; 2]]) -> LitTexturedSkin<'_, Bilinear<Texels<Rgb565, 64, 64>>, Lambert<0>> {
+fn lit(coordinates: &[[i16; 2]]) -> LitTexturedSkin<'_, Bilinear<Texels<Rgb565, 16, 16>>, Lambert<0>> {
     LitTexturedSkin {
         image: &IMAGE,
         coordinates,
@@ -90,8 +90,8 @@ fn lit(coordinates: &[[i16; 2]]) -> LitTexturedSkin<'_, Bilinear<Texels<Rgb565, 
     }
 }
 
-const FOG: Fog<'static, Rgb565> = Fog {
-    color: Rgb565::WHITE,
+const FOG: Fog<'static, Rgb888> = Fog {
+    color: Rgb888::WHITE,
     start: I16F16::lit("500"),
     end: I16F16::lit("3000"),
     curve: Fog::LINEAR,
@@ -104,12 +104,12 @@ fn nearer_and_finer_take_more() {
         let levels = [[48, 24], [34, 17], [24, 12], [12, 6]].map(sphere);
         let of_levels = levels
             .each_ref()
-            .map(|level| flat::<Rgb565>(level, standard_pose(5), set));
+            .map(|level| flat::<Rgb888>(level, standard_pose(5), set));
         assert!(of_levels.windows(2).all(|pair| pair[0] > pair[1]), "{of_levels:?}");
         for level in &levels {
             let at_distances = [1_600, 2_200, 3_000, 8_000, 30_000].map(|z| {
                 let pose = Pose::new(standard_pose(3).rotation, at(0, 0, z));
-                flat::<Rgb565>(level, pose, set)
+                flat::<Rgb888>(level, pose, set)
             });
             assert!(
                 at_distances.windows(2).all(|pair| pair[0] > pair[1]),
@@ -123,35 +123,35 @@ fn nearer_and_finer_take_more() {
 fn each_effect_takes_more() {
     for set in SETS {
         let (mesh, pose) = (sphere([24, 12]), standard_pose(5));
-        let colors = vec![Rgb565::RED; mesh.faces.len()];
-        let coordinates: Vec<[i16; 2]> = mesh.vertices.iter().map(|&[x, y, _]| [16 * x, 16 * y]).collect();
-        let plain = flat::<Rgb565>(&mesh, pose, set);
+        let colors = vec![Rgb888::RED; mesh.faces.len()];
+        let coordinates: Vec<[i16; 2]> = mesh.vertices.iter().map(|&[x, y, _]| [60 * x, 60 * y]).collect();
+        let plain = flat::<Rgb888>(&mesh, pose, set);
         for with_effect in [
-            flat::<Fine<Rgb565>>(&mesh, pose, set),
-            flat::<Deep<Rgb565>>(&mesh, pose, set),
-            flat::<DoubleSided<Rgb565>>(&mesh, pose, set),
-            flat::<Antialiased<Rgb565>>(&mesh, pose, set),
-            estimate::<Foggy<Rgb565>>(&mesh, (&colors, FOG), pose, set),
-            estimate::<Translucent<Rgb565>>(&mesh, (&colors, 128), pose, set),
-            estimate::<Textured<Texels<Rgb565, 64, 64>>>(&mesh, textured(&coordinates), pose, set),
+            flat::<Fine<Rgb888>>(&mesh, pose, set),
+            flat::<Deep<Rgb888>>(&mesh, pose, set),
+            flat::<DoubleSided<Rgb888>>(&mesh, pose, set),
+            flat::<Antialiased<Rgb888>>(&mesh, pose, set),
+            estimate::<Foggy<Rgb888>>(&mesh, (&colors, FOG), pose, set),
+            estimate::<Translucent<Rgb888>>(&mesh, (&colors, 128), pose, set),
+            estimate::<Textured<Texels<Rgb565, 16, 16>>>(&mesh, textured(&coordinates), pose, set),
         ] {
             assert!(with_effect > plain, "{with_effect} is not more than {plain}");
         }
         // An alpha of 255 is none.
-        assert_eq!(estimate::<Translucent<Rgb565>>(&mesh, (&colors, 255), pose, set), plain);
-        let texture = estimate::<Textured<Texels<Rgb565, 64, 64>>>(&mesh, textured(&coordinates), pose, set);
-        let often = estimate::<Textured<Texels<Rgb565, 64, 64>, 1>>(&mesh, textured(&coordinates), pose, set);
+        assert_eq!(estimate::<Translucent<Rgb888>>(&mesh, (&colors, 255), pose, set), plain);
+        let texture = estimate::<Textured<Texels<Rgb565, 16, 16>>>(&mesh, textured(&coordinates), pose, set);
+        let often = estimate::<Textured<Texels<Rgb565, 16, 16>, 1>>(&mesh, textured(&coordinates), pose, set);
         let parallel =
-            estimate::<Orthographic<Textured<Texels<Rgb565, 64, 64>>>>(&mesh, textured(&coordinates), pose, set);
+            estimate::<Orthographic<Textured<Texels<Rgb565, 16, 16>>>>(&mesh, textured(&coordinates), pose, set);
         let mixed =
-            estimate::<LitTextured<Bilinear<Texels<Rgb565, 64, 64>>, Lambert<0>>>(&mesh, lit(&coordinates), pose, set);
+            estimate::<LitTextured<Bilinear<Texels<Rgb565, 16, 16>>, Lambert<0>>>(&mesh, lit(&coordinates), pose, set);
         assert!(
             parallel > plain && often > texture && mixed > texture,
             "{plain} {parallel} {texture} {often} {mixed}"
         );
         // Too few slots.
         let models = [Model::new(mesh.face_set(), &colors).unwrap().with_pose(pose)];
-        let mut few = Box::new(Room::<Rgb565, 5>::new());
+        let mut few = Box::new(Room::<Rgb888, 5>::new());
         assert!(few.prepare(&camera(area()), &models).unwrap().estimate(set) > 2 * plain);
     }
 }
@@ -215,7 +215,7 @@ fn a_level_within_a_budget_is_found() {
     let levels = [[48, 24], [34, 17], [24, 12], [12, 6]].map(sphere);
     let costs = levels
         .each_ref()
-        .map(|level| flat::<Rgb565>(level, standard_pose(9), InstructionSet::Armv6M));
+        .map(|level| flat::<Rgb888>(level, standard_pose(9), InstructionSet::Armv6M));
     let mut picked = Vec::new();
     for budget in (0..2_000_000).step_by(20_000) {
         let level = costs
@@ -264,15 +264,15 @@ fn large() -> Mesh {
 fn hostile_scenes_are_predicted() {
     let near = Pose::new(Rotation::IDENTITY, at(0, 0, 200));
     for set in SETS {
-        let mut empty = Memory::<Rgb565, 0, 0, 128, 64>::new();
+        let mut empty = Memory::<Rgb888, 0, 0, 128, 64>::new();
         let nothing = empty.prepare(&camera(area()), &[]).unwrap().estimate(set);
         assert!((1..100_000).contains(&nothing), "{nothing}");
         // 2,000 faces as large as the picture.
         let faces = Mesh::new(large().vertices, vec![[0, 1, 2]; 2_000]);
-        let one = flat::<Rgb565>(&large(), near, set);
+        let one = flat::<Rgb888>(&large(), near, set);
         let many = [
-            flat::<Rgb565>(&faces, near, set),
-            flat::<Fine<Rgb565>>(&faces, near, set),
+            flat::<Rgb888>(&faces, near, set),
+            flat::<Fine<Rgb888>>(&faces, near, set),
         ];
         for many in many {
             assert!(many > 1_000 * (one - nothing), "{many} and {one} beside {nothing}");
@@ -281,8 +281,8 @@ fn hostile_scenes_are_predicted() {
         assert!((60_000..300_000).contains(&(one - nothing)), "{one} beside {nothing}");
         // More faces than tables can have.
         let too_many = Mesh::new(large().vertices, vec![[0, 1, 2]; 65_535]);
-        let models = [Model::new(too_many.face_set(), &[Rgb565::RED; 65_535]).unwrap()];
-        let mut memory = Box::new(Memory::<Rgb565, 3, 65_535, 128, 64>::new());
+        let models = [Model::new(too_many.face_set(), &[Rgb888::RED; 65_535]).unwrap()];
+        let mut memory = Box::new(Memory::<Rgb888, 3, 65_535, 128, 64>::new());
         let prepared = memory.prepare(&camera(area()), &models);
         assert_eq!(prepared.err(), Some(InputError::TooSmall(TooSmall::Faces(65_535))));
         // As many as they can have.
@@ -312,7 +312,7 @@ fn any_mesh() -> impl Strategy<Value = Mesh> {
 }
 
 /// A prediction of any faces in any pose is more than that of none.
-fn check<'a, L: Look<Color = Rgb565>>(mesh: &'a Mesh, skin: <L::Shading as Shading>::Skin<'a>, pose: Pose) {
+fn check<'a, L: Look<Color: RgbColor>>(mesh: &'a Mesh, skin: <L::Shading as Shading>::Skin<'a>, pose: Pose) {
     let models = [Model::<L::Shading>::with_skin(mesh.face_set(), skin)
         .unwrap()
         .with_pose(pose); 2];
@@ -325,7 +325,8 @@ fn check<'a, L: Look<Color = Rgb565>>(mesh: &'a Mesh, skin: <L::Shading as Shadi
             continue;
         };
         let first = SETS.map(|set| prepared.estimate(set));
-        prepared.draw(&mut Band::<Rgb565>::new(area, &mut vec![0; 128 * 64]).unwrap());
+        let mut words = vec![L::Color::BLACK.to_word(); 128 * 64];
+        prepared.draw(&mut Band::<L::Color>::new(area, &mut words).unwrap());
         let second = SETS.map(|set| prepared.estimate(set));
         assert!(first.into_iter().chain(second).all(|estimate| estimate < u32::MAX));
         let [of_none, of_all] = [size.height, first[1]];
@@ -339,11 +340,13 @@ proptest! {
     #[test]
     fn any_scene_is_predicted(mesh in any_mesh(), translation in prop::array::uniform3(-2_000i32..2_000), turn: u16) {
         let pose = Pose::new(Rotation::about_x(U0F16::from_bits(turn)), translation.map(I16F16::from_num));
-        let colors = vec![Rgb565::RED; mesh.faces.len()];
+        let colors = vec![Rgb888::RED; mesh.faces.len()];
         let coordinates: Vec<[i16; 2]> = mesh.vertices.iter().map(|&[x, y, _]| [x, y]).collect();
-        check::<Rgb565>(&mesh, &colors, pose);
-        check::<DoubleSided<Fine<Deep<Rgb565>>>>(&mesh, &colors, pose);
-        check::<Antialiased<Rgb565>>(&mesh, &colors, pose);
-        check::<Foggy<Translucent<Textured<Texels<Rgb565, 64, 64>>>>>(&mesh, ((textured(&coordinates), 128), FOG), pose);
+        check::<Rgb888>(&mesh, &colors, pose);
+        check::<DoubleSided<Fine<Rgb888>>>(&mesh, &colors, pose);
+        check::<Fine<Deep<Rgb888>>>(&mesh, &colors, pose);
+        check::<Antialiased<Rgb888>>(&mesh, &colors, pose);
+        check::<Foggy<Translucent<Rgb888>>>(&mesh, ((&colors, 128), FOG), pose);
+        check::<Textured<Texels<Rgb565, 16, 16>>>(&mesh, textured(&coordinates), pose);
     }
 }

@@ -194,7 +194,6 @@ fn check_all(meshes: &[Mesh; 2], patterns: [Pattern; 2], coordinates: &[Vec<[i16
     let numbers = coordinates.clone().map(|coordinates| &**leak(coordinates));
     let even = |index: usize| (numbers[index], 0x50_0000 + 0x50_0000 * index as u32);
     check::<EvenHoles>(meshes, even, pose);
-    check::<Fine<EvenHoles>>(meshes, even, pose);
 }
 
 pub fn any_coordinates(count: usize) -> impl Strategy<Value = Vec<[i16; 2]>> {

@@ -1,13 +1,16 @@
 //! Lights from points and highlights, against floating point, for models and cameras anywhere.
 
-use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+use embedded_graphics::{
+    pixelcolor::{Rgb888, raw::RawU24},
+    prelude::*,
+};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::Band,
     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},
     shade::{
         Blinn, DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, Lighting, LitTextured,
-        LitTexturedSkin, PointLight, ReflectedLight, Shading, Texels,
+        LitTexturedSkin, Perspective, PointLight, ReflectedLight, Shading, Texels,
     },
 };
 
@@ -422,6 +425,8 @@ fn highlights_are_white_and_never_above_full_light() {
     let color = Rgb888::new(200, 100, 0);
     let texels = [[color.into_storage()]];
     let (colors, normals, coordinates) = (&[color], &[[0; 2]; 3], &[[0; 2]; 3]);
+    let mesh = FaceSet::new(&VERTICES, &[[0, 1, 2]]).unwrap();
+    let color_of = |word: Option<u32>| Rgb888::from(RawU24::new(word.expect("no hole")));
     for (diffuse, specular) in (0..=32).flat_map(|one| (0..=32).map(move |other| (one << 10, other << 10))) {
         let lights = Given(ReflectedLight { diffuse, specular });
         let smooth = word_of::<Gouraud<Rgb888, Given>>(GouraudSkin {
@@ -429,18 +434,27 @@ fn highlights_are_white_and_never_above_full_light() {
             normals,
             lights,
         });
-        let flat = word_of::<FlatLit<Rgb888, Given>>(FlatLitSkin {
+        let skin = FlatLitSkin {
             colors,
             normals,
             lights,
-        });
+        };
+        type Flat = FlatLit<Rgb888, Given>;
+        let face = Flat::face(&skin, &lights.0, &mesh, 0).unwrap();
+        let flat = color_of(Flat::fragment(&skin, face, &()));
         let skin = LitTexturedSkin {
             image: &texels,
             coordinates,
             normals,
             lights,
         };
-        let textured = word_of::<LitTextured<Texels<Rgb888, 1, 1>, Given>>(skin);
+        type Lit = LitTextured<Texels<Rgb888, 1, 1>, Given>;
+        let Perspective(attributes) = Lit::vertex(&skin, &lights.0, 0, [0; 3]);
+        let textured = color_of(Lit::fragment(
+            &skin,
+            0,
+            &attributes.map(|attribute| i32::from(attribute) << 16),
+        ));
         let [exact, of_texel] = [
             [200, 100, 0].map(|level| f64::from(level * diffuse + 255 * specular) / FULL),
             [200, 100, 0].map(|level| f64::from(level * (diffuse + specular).min(32_768)) / FULL),

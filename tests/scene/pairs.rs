@@ -105,19 +105,26 @@ macro_rules! compare {
 type Plain<H> = H;
 type FineAndDeep<H> = Fine<Deep<H>>;
 
-macro_rules! compare_all {
+/// An even number before those in space, and a pair of pairs: of each kind one.
+macro_rules! compare_some {
     ($mesh:expr, $numbers:expr, $pose:expr, $wrapped:ident) => {
         compare!($mesh, $numbers, $pose, $wrapped<EvenAndSpace>,
             0: Even<1>, |&[a, ..]| ([a], 0), 1: InSpace<2, 4>, |&[_, b, c]| ([b, c], 0),
             2: InSpace<2, 4>, |&[_, b, c]| ([b, c], 1));
+        compare!($mesh, $numbers, $pose, $wrapped<Nested>,
+            0: Even<1>, |&[a, ..]| ([a], 0), 1: InSpace<1>, |&[_, b, _]| ([b], 0), 2: Even<1>, |&[.., c]| ([c], 0));
+    };
+}
+
+macro_rules! compare_all {
+    ($mesh:expr, $numbers:expr, $pose:expr, $wrapped:ident) => {
+        compare_some!($mesh, $numbers, $pose, $wrapped);
         compare!($mesh, $numbers, $pose, $wrapped<SpaceAndEven>,
             0: InSpace<1, 4>, |&[a, ..]| ([a], 0), 1: Even<2>, |&[_, b, c]| ([b, c], 0), 2: Even<2>, |&[_, b, c]| ([b, c], 1));
         compare!($mesh, $numbers, $pose, $wrapped<BothEven>,
             0: Even<3>, |&all| (all, 0), 1: Even<3>, |&all| (all, 1), 2: Even<3>, |&all| (all, 2));
         compare!($mesh, $numbers, $pose, $wrapped<BothInSpace>,
             0: InSpace<1, 4>, |&[a, ..]| ([a], 0), 1: InSpace<2>, |&[_, b, c]| ([b, c], 0), 2: InSpace<2>, |&[_, b, c]| ([b, c], 1));
-        compare!($mesh, $numbers, $pose, $wrapped<Nested>,
-            0: Even<1>, |&[a, ..]| ([a], 0), 1: InSpace<1>, |&[_, b, _]| ([b], 0), 2: Even<1>, |&[.., c]| ([c], 0));
     };
 }
 
@@ -131,7 +138,8 @@ proptest! {
         pose in pose(1300..2500),
     ) {
         compare_all!(&mesh, &numbers[..], pose, Plain);
-        compare_all!(&mesh, &numbers[..], pose, FineAndDeep);
+        // Each member has its planes for itself: which ones are beside it does not depend on precision and depth.
+        compare_some!(&mesh, &numbers[..], pose, FineAndDeep);
     }
 
     /// Faces that are cut, and numbers so small that some are within the tolerance.

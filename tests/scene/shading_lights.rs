@@ -19,6 +19,8 @@ use crate::snapped_faces::at;
 /// A direction and an intensity.
 type Light = ([i32; 3], u16);
 
+const NONE: Light = ([0, 0, -1], 0);
+
 fn directional(([x, y, z], intensity): Light) -> DirectionalLight {
     let towards = [x, y, z].map(I16F16::from_bits);
     DirectionalLight::from_direction(towards, U0F16::from_bits(intensity)).unwrap()
@@ -182,7 +184,7 @@ proptest! {
         let [a, b, ..] = lights;
         check(ambient, [], normal, rotation);
         check(ambient, [a], normal, rotation);
-        check(ambient / 4, [a, b], normal, rotation);
+        check(ambient / 4, [a, b, NONE, NONE], normal, rotation);
         check(ambient / 8, lights, normal, rotation);
     }
 
@@ -197,13 +199,13 @@ proptest! {
     ) {
         let alone = level(lambert(ambient, [light]), normal, rotation);
         let dark = (other.0, 0);
-        prop_assert_eq!(level(lambert(ambient, [light, dark]), normal, rotation), alone);
-        prop_assert_eq!(level(lambert(ambient, [dark, light]), normal, rotation), alone);
+        prop_assert_eq!(level(lambert(ambient, [light, dark, dark, dark]), normal, rotation), alone);
+        prop_assert_eq!(level(lambert(ambient, [dark, dark, dark, light]), normal, rotation), alone);
         // By more than the normal's error.
         if self::light(0, [(other.0, u16::MAX)], normal, &rotation) == 0.0
             && self::light(0, [(other.0.map(|towards| towards.saturating_neg()), u16::MAX)], normal, &rotation) > 0.001
         {
-            prop_assert_eq!(level(lambert(ambient, [other, light]), normal, rotation), alone);
+            prop_assert_eq!(level(lambert(ambient, [other, other, light, other]), normal, rotation), alone);
         }
     }
 

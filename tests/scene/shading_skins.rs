@@ -63,33 +63,72 @@ fn before_camera() -> Pose {
     Pose::new(Rotation::IDENTITY, at(0, 0, 600))
 }
 
-/// A model of one colour under full light has that colour in each pixel.
+type Smooth<C> = Gouraud<C, Lambert<0>>;
+type Flat<C> = FlatLit<C, Lambert<0>>;
+
+fn smooth_skin<C>(colors: &[C]) -> GouraudSkin<'_, C, Lambert<0>> {
+    GouraudSkin {
+        colors,
+        normals: &[],
+        lights: FULL,
+    }
+}
+
+fn flat_skin<C>(colors: &[C]) -> FlatLitSkin<'_, C, Lambert<0>> {
+    FlatLitSkin {
+        colors,
+        normals: &[[0; 2]; 2],
+        lights: FULL,
+    }
+}
+
+/// What the attributes of a vertex are in a pixel on it, in 1/65,536 unit: half a unit above, and off by a gradient's error.
+fn at_pixel(attributes: [i16; 3], error: i32) -> [i32; 3] {
+    attributes.map(|attribute| (i32::from(attribute) << 16) + (1 << 15) + error)
+}
+
+/// How far an attribute may be from its plane, as `shading_attributes` checks.
+const MOST_ERROR: i32 = 1_024;
+
+/// A vertex and a face of one colour under full light have that colour.
 fn full_light_keeps<C: ChannelColor + std::fmt::Debug>(colors: impl Iterator<Item = C>, background: C)
 where
     C::Word: std::fmt::Debug + PartialEq,
 {
+    let (mesh, camera, pose) = (square(), camera(area(4, 4)), before_camera());
+    for color in colors {
+        let (colors, under) = (&[color], background.to_word());
+        let skin = smooth_skin(colors);
+        let lights = Smooth::<C>::uniforms(&skin, &pose, &camera);
+        let attributes = Smooth::<C>::vertex(&skin, &lights, 0, [-900, -900, 0]);
+        let smooth =
+            [-MOST_ERROR, 0, MOST_ERROR].map(|error| Smooth::<C>::fragment(&skin, under, &at_pixel(attributes, error)));
+        let skin = flat_skin(colors);
+        let lights = Flat::<C>::uniforms(&skin, &pose, &camera);
+        let face = Flat::<C>::face(&skin, &lights, &mesh.face_set(), 0).unwrap();
+        let flat = Flat::<C>::fragment(&skin, face, &());
+        assert_eq!(
+            (smooth, flat),
+            ([Some(color.to_word()); 3], Some(color.to_word())),
+            "{color:?}"
+        );
+    }
+}
+
+/// A model of one colour under full light has that colour in each pixel.
+fn full_light_draws<C: ChannelColor, H: Shading<Color = C>>(
+    colors: impl Iterator<Item = C>,
+    background: C,
+    skin: for<'s> fn(&'s [C]) -> H::Skin<'s>,
+) where
+    C::Word: std::fmt::Debug + PartialEq,
+{
     let (mesh, camera) = (square(), camera(area(4, 4)));
     for color in colors {
-        let skin = GouraudSkin {
-            colors: &[color],
-            normals: &[],
-            lights: FULL,
-        };
-        let model = Model::<Gouraud<C, Lambert<0>>>::with_skin(mesh.face_set(), skin).unwrap();
-        let smooth = drawn(model.with_pose(before_camera()), &camera, background.to_word());
-        let skin = FlatLitSkin {
-            colors: &[color],
-            normals: &[[0; 2]; 2],
-            lights: FULL,
-        };
-        let model = Model::<FlatLit<C, Lambert<0>>>::with_skin(mesh.face_set(), skin).unwrap();
-        let flat = drawn(model.with_pose(before_camera()), &camera, background.to_word());
-        for words in [smooth, flat] {
-            assert!(
-                words.iter().all(|word| *word == color.to_word()),
-                "{color:?}: {words:?}"
-            );
-        }
+        let colors = [color];
+        let model = Model::<H>::with_skin(mesh.face_set(), skin(&colors)).unwrap();
+        let words = drawn(model.with_pose(before_camera()), &camera, background.to_word());
+        assert!(words.iter().all(|word| *word == color.to_word()), "{words:?}");
     }
 }
 
@@ -109,14 +148,65 @@ fn full_light_keeps_every_color() {
     full_light_keeps([BinaryColor::Off].into_iter(), BinaryColor::On);
     full_light_keeps([BinaryColor::On].into_iter(), BinaryColor::Off);
     let sampled = (0..1u32 << 24).step_by(4_099);
-    full_light_keeps(
-        sampled.clone().map(|word| Rgb888::from(RawU24::new(word))),
-        Rgb888::new(1, 2, 3),
-    );
+    full_light_keeps(sampled.clone().map(rgb888), Rgb888::new(1, 2, 3));
     full_light_keeps(
         sampled.map(|word| Bgr666::new((word >> 16) as u8 & 63, (word >> 8) as u8 & 63, word as u8 & 63)),
         Bgr666::new(1, 2, 3),
     );
+}
+
+fn rgb888(word: u32) -> Rgb888 {
+    Rgb888::from(RawU24::new(word))
+}
+
+/// Scenes draw what shadings say: channels of most and of fewest bits, in both orders.
+#[test]
+fn full_light_draws_every_color() {
+    let (on, off) = (BinaryColor::On, BinaryColor::Off);
+    for (color, background) in [(on, off), (off, on)] {
+        full_light_draws::<_, Smooth<BinaryColor>>([color].into_iter(), background, smooth_skin);
+        full_light_draws::<_, Flat<BinaryColor>>([color].into_iter(), background, flat_skin);
+    }
+    let sampled = || (0..1u32 << 24).step_by(4_099).map(rgb888);
+    full_light_draws::<_, Smooth<Rgb888>>(sampled(), Rgb888::new(1, 2, 3), smooth_skin);
+    full_light_draws::<_, Flat<Rgb888>>(sampled(), Rgb888::new(1, 2, 3), flat_skin);
+    full_light_draws::<_, Smooth<Rgb565>>(
+        (0..=u16::MAX).map(|word| Rgb565::from(RawU16::new(word))),
+        Rgb565::new(1, 2, 3),
+        smooth_skin,
+    );
+    full_light_draws::<_, Smooth<Bgr555>>(
+        (0..1 << 15).map(|word| Bgr555::from(RawU16::new(word))),
+        Bgr555::new(1, 2, 3),
+        smooth_skin,
+    );
+}
+
+/// Where the channels of corners have 0 or the greatest level, or others, the least and the greatest of each are never left,
+/// as far as attributes may be off.
+fn ends_are_kept<C: Channels + ChannelColor>(levels: [[u32; 3]; 3])
+where
+    C::Word: std::fmt::Debug + PartialEq,
+{
+    let levels = levels.map(|levels| [0, 1, 2].map(|channel| levels[channel] * C::MAX[channel] / 255));
+    let colors = levels.map(C::from_channels);
+    let skin = smooth_skin(&colors);
+    let lights = Smooth::<C>::uniforms(&skin, &before_camera(), &camera(area(4, 4)));
+    let corners = [0, 1, 2].map(|corner| Smooth::<C>::vertex(&skin, &lights, corner, [0; 3]));
+    for end in [i16::min, i16::max] {
+        let attributes =
+            [0, 1, 2].map(|channel| corners.map(|corner| corner[channel]).into_iter().reduce(end).unwrap());
+        let end = if end(0, 1) == 0 { u32::min } else { u32::max };
+        let levels = [0, 1, 2].map(|channel| levels.map(|levels| levels[channel]).into_iter().reduce(end).unwrap());
+        for error in [-MOST_ERROR, MOST_ERROR] {
+            let word = Smooth::<C>::fragment(&skin, colors[0].to_word(), &at_pixel(attributes, error));
+            assert_eq!(
+                word,
+                Some(C::from_channels(levels).to_word()),
+                "{corners:?}, {levels:?}"
+            );
+        }
+    }
 }
 
 /// Draws a triangle whose corners have channels of 0 or the greatest level, or others, and checks that each pixel is
@@ -159,9 +249,11 @@ proptest! {
         channels_stay_between::<Rgb888>(corners, levels);
         channels_stay_between::<Rgb565>(corners, levels);
         channels_stay_between::<Bgr555>(corners, levels);
-        channels_stay_between::<Gray8>(corners, levels);
-        channels_stay_between::<Gray2>(corners, levels);
         channels_stay_between::<BinaryColor>(corners, levels);
+        ends_are_kept::<Gray8>(levels);
+        ends_are_kept::<Gray4>(levels);
+        ends_are_kept::<Gray2>(levels);
+        ends_are_kept::<Bgr666>(levels);
     }
 
     /// A texture under full light is the texture, also where light is from a direction.
@@ -205,10 +297,11 @@ fn a_texture_that_faces_the_camera_is_copied() {
     let model = Model::<Textured<Texels<Rgb565, 16, 16>>>::with_skin(mesh, skin).unwrap();
     assert_eq!(drawn(model, &camera, 0), TEXELS.concat());
 
+    let dark = DirectionalLight::from_direction([I16F16::ONE; 3], U0F16::ZERO).unwrap();
     let lit = |ambient| {
         let lights = Lambert {
             ambient,
-            lights: [],
+            lights: [dark],
             points: [],
         };
         let skin = LitTexturedSkin {
@@ -217,7 +310,7 @@ fn a_texture_that_faces_the_camera_is_copied() {
             normals: &[[0; 2]; 4],
             lights,
         };
-        let model = Model::<LitTextured<Texels<Rgb565, 16, 16>, Lambert<0>>>::with_skin(mesh, skin).unwrap();
+        let model = Model::<LitTextured<Texels<Rgb565, 16, 16>>>::with_skin(mesh, skin).unwrap();
         drawn(model, &camera, 0)
     };
     assert_eq!(lit(U0F16::MAX), TEXELS.concat());
@@ -310,14 +403,20 @@ fn skins_that_are_too_short_are_errors() {
 /// After each error of preparing, the memory draws the next frame as a new one does.
 #[test]
 fn memory_is_of_use_after_an_error() {
-    type Look = Whole<Gouraud<Rgb565, Lambert<0>>>;
+    type Look = Whole<LitTextured<Texels<Rgb565, 16, 16>>>;
     let (mesh, camera) = (square(), camera(area(8, 8)));
-    let skin = GouraudSkin {
-        colors: &[Rgb565::RED, Rgb565::BLUE],
-        normals: &[],
-        lights: FULL,
+    let light = DirectionalLight::from_direction([I16F16::ONE; 3], U0F16::MAX).unwrap();
+    let skin = LitTexturedSkin {
+        image: &TEXELS,
+        coordinates: &[[0, 0], [0, 4_096], [4_096, 4_096], [4_096, 0]],
+        normals: &[[0; 2]; 4],
+        lights: Lambert {
+            ambient: U0F16::MAX,
+            lights: [light],
+            points: [],
+        },
     };
-    let model = Model::<Gouraud<Rgb565, Lambert<0>>>::with_skin(mesh.face_set(), skin).unwrap();
+    let model = Model::<LitTextured<Texels<Rgb565, 16, 16>>>::with_skin(mesh.face_set(), skin).unwrap();
     let good = [model.with_pose(before_camera())];
     let picture = |memory: &mut Memory<Look, 4, 2, 8, 8, 2>| {
         let mut words = [0; 64];

@@ -359,8 +359,7 @@ proptest! {
             [x, y, distances[i]]
         });
         check_choice::<Numbered>(corners, coordinates);
-        check_choice::<Fine<Numbered>>(corners, coordinates);
-        check_choice::<Deep<Numbered>>(corners, coordinates);
+        check_choice::<Fine<Deep<Numbered>>>(corners, coordinates);
     }
 
     /// Faces that lean so little that some are drawn without divisions.

@@ -227,7 +227,7 @@ proptest! {
         let numbers = coordinates.clone().map(|coordinates| &**leak(coordinates));
         let even = |index: usize, _| (numbers[index], 0x50_0000 + 0x50_0000 * index as u32);
         check::<EvenHoles, Translucent<EvenHoles>>(&meshes, even, &alphas, pose);
-        check::<Fine<Holed>, Fine<Translucent<Holed>>>(&meshes, |index, _| skins[index], &alphas, pose);
+        check::<Fine<Deep<Holed>>, Fine<Deep<Translucent<Holed>>>>(&meshes, |index, _| skins[index], &alphas, pose);
     }
 
     /// The order of models does not matter where no two fragments are equally near.
@@ -379,7 +379,8 @@ proptest! {
         identities::<Rgb888, Rgb888, Translucent<Rgb888>>(&meshes, flat, pose);
         identities::<Rgb888, Orthographic<Rgb888>, Orthographic<Translucent<Rgb888>>>(&meshes, flat, pose);
         let skins = skins(&patterns, &coordinates);
-        identities::<Holed, Fine<Holed>, Fine<Translucent<Holed>>>(leak(meshes.clone()), [skins[0], skins[1]], pose);
+        type Lace = Fine<Deep<Translucent<Holed>>>;
+        identities::<Holed, Fine<Deep<Holed>>, Lace>(leak(meshes.clone()), [skins[0], skins[1]], pose);
     }
 }
 
