@@ -196,8 +196,8 @@ fn check_all(meshes: &[Mesh; 2], patterns: [Pattern; 2], coordinates: &[Vec<[i16
     check::<EvenHoles>(meshes, even, pose);
 }
 
-pub fn any_coordinates(count: usize) -> impl Strategy<Value = Vec<[i16; 2]>> {
-    prop::collection::vec(prop::array::uniform2(-8_000i16..8_000), count)
+pub fn any_coordinates(count: usize) -> BoxedStrategy<Vec<[i16; 2]>> {
+    prop::collection::vec(prop::array::uniform2(-8_000i16..8_000), count).boxed()
 }
 
 proptest! {

@@ -152,9 +152,8 @@ fn every_pair_of_wrappers_names_the_same_in_both_orders() {
     }
 }
 
-/// Whether faces are cut and rows are drawn in passes changes no picture of another wrapper, and refuses what it says. Pairs that
-/// both change the picture are drawn where they are compared with exact faces: in depth_row, orthographic, antialiased and
-/// double_sided.
+/// Without cuts or passes each other wrapper draws its picture, and what needs them is refused. Pairs of which both change the
+/// picture are drawn where they are compared with exact faces: in depth_row, orthographic, antialiased and double_sided.
 #[test]
 fn every_pair_of_wrappers_draws() {
     check_picture::<Fine<Whole<Rgb888>>, Fine<Rgb888>>();

@@ -128,16 +128,17 @@ where
 }
 
 /// Any attribute, more often one of the greatest.
-pub fn number() -> impl Strategy<Value = i16> {
+pub fn number() -> BoxedStrategy<i16> {
     prop_oneof![
         3 => any::<i16>(),
         1 => prop::sample::select(vec![i16::MIN, i16::MIN + 1, -1, 0, 1, i16::MAX]),
     ]
+    .boxed()
 }
 
 /// Corners at a distance of 1,024, in 1/16 pixel from the middle of the viewport: of triangles of any size that are not
 /// cut, and of slivers.
-pub fn flat_corners() -> impl Strategy<Value = [[i16; 3]; 3]> {
+pub fn flat_corners() -> BoxedStrategy<[[i16; 3]; 3]> {
     let within = |size: i16| prop::array::uniform3(prop::array::uniform2(-size..=size));
     let sliver = (
         prop::array::uniform2(-900i16..=900),
@@ -147,6 +148,7 @@ pub fn flat_corners() -> impl Strategy<Value = [[i16; 3]; 3]> {
         .prop_map(|(a, [x, y], c)| [a, [a[0] + x, a[1] + y], c]);
     prop_oneof![3 => within(1_100), 1 => within(100), 2 => within(15_000), 2 => sliver]
         .prop_map(|corners| corners.map(|[x, y]| [x, y, 1_024]))
+        .boxed()
 }
 
 /// What vertices may have beside their positions.
@@ -159,7 +161,7 @@ pub struct VertexData {
     pub light: DirectionalLight,
 }
 
-pub fn vertex_data(count: usize) -> impl Strategy<Value = VertexData> {
+pub fn vertex_data(count: usize) -> BoxedStrategy<VertexData> {
     let colors = prop::collection::vec(any::<u16>().prop_map(|word| Rgb565::from(RawU16::new(word))), count);
     let normals = prop::collection::vec(any::<[i8; 2]>(), count);
     let coordinates = prop::collection::vec(prop::array::uniform2(-8_000i16..8_000), count);
@@ -167,12 +169,14 @@ pub fn vertex_data(count: usize) -> impl Strategy<Value = VertexData> {
         let towards = [x, y, z - 101].map(I16F16::from_num);
         DirectionalLight::from_direction(towards, U0F16::MAX).unwrap()
     });
-    (colors, normals, coordinates, light).prop_map(|(colors, normals, coordinates, light)| VertexData {
-        colors,
-        normals,
-        coordinates,
-        light,
-    })
+    (colors, normals, coordinates, light)
+        .prop_map(|(colors, normals, coordinates, light)| VertexData {
+            colors,
+            normals,
+            coordinates,
+            light,
+        })
+        .boxed()
 }
 
 /// A shading that makes a model of any data.

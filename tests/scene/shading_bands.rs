@@ -66,7 +66,7 @@ fn bands(whole: Rectangle, [width, height]: [u32; 2], order: Order) -> Vec<Recta
 fn in_bands<C: BandColor + RgbColor>(
     whole: Rectangle,
     bands: &[Rectangle],
-    mut draw: impl FnMut(&mut Band<'_, C>),
+    draw: &mut dyn FnMut(&mut Band<'_, C>),
 ) -> Vec<C::Word> {
     let black = C::BLACK.to_word();
     let mut picture = vec![black; (whole.size.width * whole.size.height) as usize];
@@ -91,6 +91,27 @@ const SIZES: [([u32; 2], Order); 7] = [
     ([1, 40], Order::Up),
 ];
 
+/// Compares a picture that is drawn in bands of a size and an order.
+fn compare_in_bands<C: BandColor<Word: PartialEq + std::fmt::Debug> + RgbColor>(
+    area: Rectangle,
+    size: [u32; 2],
+    order: Order,
+    expected: &[C::Word],
+    how: &str,
+    draw: &mut dyn FnMut(&mut Band<'_, C>),
+) {
+    let drawn = in_bands::<C>(area, &bands(area, size, order), draw);
+    let differing = drawn
+        .iter()
+        .zip(expected)
+        .position(|(drawn, expected)| drawn != expected);
+    if let Some(index) = differing {
+        let (drawn, expected) = (&drawn[index], &expected[index]);
+        let (x, y) = (index % WIDTH, index / WIDTH);
+        panic!("{how}, bands of {size:?}, {order:?}: pixel {x}, {y} is {drawn:?}, not {expected:?}");
+    }
+}
+
 /// Draws models with so few slots in bands of all sizes and orders.
 fn check_slots<L: Look<Color: RgbColor>, const ACTIVE: usize>(
     models: &[Model<'_, L::Shading>],
@@ -98,31 +119,11 @@ fn check_slots<L: Look<Color: RgbColor>, const ACTIVE: usize>(
     expected: &[WordOf<L>],
 ) {
     let area = camera.viewport().to_rectangle();
+    let how = format!("{ACTIVE} slots");
     let mut memory = Box::new(MemoryOf::<L, ACTIVE>::new());
     for (size, order) in SIZES {
         let mut prepared = memory.prepare(camera, models).unwrap();
-        let draw = |band: &mut Band<'_, L::Color>| prepared.draw(band);
-        let drawn = in_bands::<L::Color>(area, &bands(area, size, order), draw);
-        assert_same(
-            &drawn,
-            expected,
-            &format!("{ACTIVE} slots, bands of {size:?}, {order:?}"),
-        );
-    }
-}
-
-fn assert_same<W: PartialEq + std::fmt::Debug>(drawn: &[W], expected: &[W], how: &str) {
-    let differing = drawn
-        .iter()
-        .zip(expected)
-        .position(|(drawn, expected)| drawn != expected);
-    if let Some(index) = differing {
-        let (drawn, expected) = (&drawn[index], &expected[index]);
-        panic!(
-            "{how}: pixel {}, {} is {drawn:?}, not {expected:?}",
-            index % WIDTH,
-            index / WIDTH
-        );
+        compare_in_bands::<L::Color>(area, size, order, expected, &how, &mut |band| prepared.draw(band));
     }
 }
 
@@ -139,8 +140,9 @@ fn check_item<'m, L: Look<Color: RgbColor>>(
         let (mut slots, mut buckets) = ([PictureSlot::EMPTY; 1], [0; HEIGHT]);
         let mut picture = Picture::new(area, &mut slots, &mut [], &mut buckets);
         picture.add_item(&scene).unwrap();
-        let drawn = in_bands::<L::Color>(area, &bands(area, size, order), |band| picture.draw(band));
-        assert_same(&drawn, expected, &format!("as an item, bands of {size:?}, {order:?}"));
+        compare_in_bands::<L::Color>(area, size, order, expected, "as an item", &mut |band| {
+            picture.draw(band)
+        });
     }
 }
 
@@ -148,7 +150,7 @@ fn check_look<L: Look<Color: RgbColor>>(models: [Model<'_, L::Shading>; 2], came
     let area = camera.viewport().to_rectangle();
     let mut memory = Box::new(MemoryOf::<L, 64>::new());
     let mut prepared: Prepared<'_, '_, L> = memory.prepare(camera, &models).unwrap();
-    let expected = in_bands::<L::Color>(area, &[area], |band| prepared.draw_with(band, |_| {}));
+    let expected = in_bands::<L::Color>(area, &[area], &mut |band| prepared.draw_with(band, |_| {}));
     check_slots::<L, 64>(&models, camera, &expected);
     check_slots::<L, 1>(&models, camera, &expected);
     check_slots::<L, 3>(&models, camera, &expected);

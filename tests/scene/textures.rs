@@ -44,17 +44,33 @@ fn all_coordinates() -> impl Iterator<Item = i32> {
 /// that is counted from the upper left one of the plane.
 fn check<T: Texture>(image: &T::Image<'_>, expected: impl Fn([i64; 2]) -> Option<WordOf<T>>)
 where
-    WordOf<T>: std::fmt::Debug,
+    WordOf<T>: Into<u32>,
 {
-    let size = [1i64 << T::COLUMN_BITS, 1 << T::ROW_BITS];
+    check_words(
+        [1 << T::COLUMN_BITS, 1 << T::ROW_BITS],
+        &|at| <T as Sampler>::sample(image, at).map(Into::into),
+        &|[column, row]| T::texel(image, column, row).map(Into::into),
+        &|at| expected(at).map(Into::into),
+    );
+}
+
+fn check_words(
+    size: [i64; 2],
+    sample: &dyn Fn([i32; 2]) -> Option<u32>,
+    texel: &dyn Fn([u32; 2]) -> Option<u32>,
+    expected: &dyn Fn([i64; 2]) -> Option<u32>,
+) {
     let nearest = |[u, v]: [i32; 2]| {
         let texel = [(u, size[0]), (v, size[1])].map(|(c, size)| (i64::from(c) * size).div_euclid(1 << BITS));
-        let found = <T as Sampler>::sample(image, [u, v]);
-        assert_eq!(found, expected(texel), "texel {texel:?} at {u}, {v} of {size:?}");
+        assert_eq!(
+            sample([u, v]),
+            expected(texel),
+            "texel {texel:?} at {u}, {v} of {size:?}"
+        );
     };
     let [wide, high] = size.map(|size| (1i64 << BITS) / size);
     for (column, row) in (0..size[0]).flat_map(|column| (0..size[1]).map(move |row| (column, row))) {
-        let direct = T::texel(image, column as u32, row as u32);
+        let direct = texel([column as u32, row as u32]);
         assert_eq!(direct, expected([column, row]), "{column}, {row} of {size:?}");
         for period in -8..8 {
             let at = |texel: i64, length: i64, part: i64| ((period << BITS) + texel * length + part) as i32;
@@ -73,7 +89,7 @@ where
 /// A texture as it repeats, and as it ends in its edges.
 fn check_both<T: Texture>(image: &T::Image<'_>, texel: impl Fn([usize; 2]) -> Option<WordOf<T>>)
 where
-    WordOf<T>: std::fmt::Debug,
+    WordOf<T>: Into<u32>,
 {
     let size = [1i64 << T::COLUMN_BITS, 1 << T::ROW_BITS];
     let each = |at: [i64; 2], inside: fn(i64, i64) -> i64| [0, 1].map(|axis| inside(at[axis], size[axis]) as usize);
@@ -146,29 +162,48 @@ fn between_centers(coordinate: i32, size: i64) -> (i64, i64) {
     )
 }
 
+/// A word, and the levels of its channels.
+type Levels = (u32, [u32; 3]);
+
 /// Compares samples mixed of four texels with the sum of their levels, weighed in rational arithmetic.
 fn check_bilinear<T: Texture<Color: Channels>>(image: &T::Image<'_>, inside: fn(i64, i64) -> i64)
 where
-    WordOf<T>: std::fmt::Debug,
+    WordOf<T>: Into<u32>,
 {
-    let size = [1i64 << T::COLUMN_BITS, 1 << T::ROW_BITS];
+    let of_word = |word: WordOf<T>| (word.into(), levels::<T::Color>(word));
+    check_mixed(
+        [1 << T::COLUMN_BITS, 1 << T::ROW_BITS],
+        inside,
+        &|at| Bilinear::<T>::sample(image, at).map(of_word),
+        &|at| <T as Sampler>::sample(image, at).map(of_word),
+        &|[column, row]| T::texel(image, column, row).map(of_word),
+    );
+}
+
+fn check_mixed(
+    size: [i64; 2],
+    inside: fn(i64, i64) -> i64,
+    mixed: &dyn Fn([i32; 2]) -> Option<Levels>,
+    nearest: &dyn Fn([i32; 2]) -> Option<Levels>,
+    texel: &dyn Fn([u32; 2]) -> Option<Levels>,
+) {
     let texel = |column: i64, row: i64| {
-        let [column, row] = [inside(column, size[0]), inside(row, size[1])].map(|at| at as u32);
-        T::texel(image, column, row)
+        let at = [inside(column, size[0]), inside(row, size[1])];
+        texel(at.map(|at| at as u32))
     };
     let check = |at: [i32; 2]| {
         let [(column, right), (row, down)] = [between_centers(at[0], size[0]), between_centers(at[1], size[1])];
         let around = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[x, y]| texel(column + x, row + y));
-        let found = Bilinear::<T>::sample(image, at);
+        let found = mixed(at);
         let [Some(a), Some(b), Some(c), Some(d)] = around else {
-            assert_eq!(found, <T as Sampler>::sample(image, at), "beside a hole at {at:?}");
+            assert_eq!(found, nearest(at), "beside a hole at {at:?}");
             return;
         };
         let found = found.expect("no hole is near");
         if [right, down] == [0, 0] || [b, c, d] == [a; 3] {
             assert_eq!(found, a, "at the centre of a texel, or among equal ones: {at:?}");
         }
-        let [a, b, c, d, found] = [a, b, c, d, found].map(levels::<T::Color>);
+        let [a, b, c, d, found] = [a, b, c, d, found].map(|(_, levels)| levels);
         for channel in 0..3 {
             let sum = |right: i128, down: i128, one: i128| {
                 let mix = |x: u32, y: u32| i128::from(x) * (one - right) + i128::from(y) * right;
@@ -218,7 +253,7 @@ fn levels<C: Channels>(word: C::Word) -> [u32; 3] {
 
 fn check_both_bilinear<T: Texture<Color: Channels>>(image: &T::Image<'_>)
 where
-    WordOf<T>: std::fmt::Debug,
+    WordOf<T>: Into<u32>,
 {
     check_bilinear::<T>(image, i64::rem_euclid);
     check_bilinear::<Clamped<T>>(image, |texel, size| texel.clamp(0, size - 1));
@@ -226,7 +261,7 @@ where
 
 fn check_bilinear_texels<C: Channels + From<C::Raw>, const WIDTH: usize, const HEIGHT: usize>()
 where
-    C::Word: std::fmt::Debug,
+    C::Word: Into<u32>,
 {
     let mut random = random((WIDTH * 100 + HEIGHT) as u32);
     // Often the same colour as beside it, and often black or white.
