@@ -33,6 +33,11 @@ extern crate std;
 #[macro_use]
 mod trace;
 
+/// How many random cases the tests within the library try, as those beside it do.
+#[cfg(test)]
+#[path = "../tests/common/cases.rs"]
+mod cases;
+
 pub mod band;
 pub mod clip;
 pub mod coverage;

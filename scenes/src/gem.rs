@@ -8,7 +8,7 @@ use zrow::{
     band::{Band, Order},
     draw::{DrawOn, FilteredLine, PrimitiveStyle},
     scene::{self, Camera, Edge, FaceSet, Fine, Memory, Model, Pose, Rotation},
-    shade::{DirectionalLight, FlatLit, FlatLitSkin, Lambert},
+    shade::{FlatLit, FlatLitSkin, Lambert},
 };
 
 use crate::{
@@ -17,7 +17,7 @@ use crate::{
     paint::rgb,
     sine::TURN,
     standard::{NEAR, angle, model},
-    teapots::shaded,
+    teapots::{one_light, shaded},
 };
 
 /// The look of what is drawn as points and lines: vertices in 1/256 pixel, of which only the places are asked for.
@@ -29,25 +29,18 @@ const COLUMNS: usize = 320;
 const ROWS: usize = 120;
 const FRAMES: u32 = 64;
 const DISTANCE: I16F16 = I16F16::lit("1960");
-/// How far the gem in points and the filled one are left and right of the one in lines.
+/// From the middle of one gem to that of the next, in units of the vertices.
 const ASIDE: I16F16 = I16F16::lit("1130");
 
 const DIM: Rgb565 = rgb(96, 148, 150);
 const BRIGHT: Rgb565 = rgb(196, 244, 232);
 static COLOR: [Rgb565; 1] = [rgb(52, 214, 178)];
-const LIGHT: Lambert<1> = Lambert {
-    ambient: U0F16::lit("0.16"),
-    lights: [
-        match DirectionalLight::from_direction(
-            [I16F16::lit("-0.6"), I16F16::lit("0.25"), I16F16::lit("-0.9")],
-            U0F16::lit("0.84"),
-        ) {
-            Ok(light) => light,
-            Err(_) => panic!("a direction without length"),
-        },
-    ],
-    points: [],
-};
+/// A light from the left before the gem, so that its table is darker than the facets of its crown.
+const LIGHT: Lambert<1> = one_light(
+    U0F16::lit("0.16"),
+    [I16F16::lit("-0.6"), I16F16::lit("0.25"), I16F16::lit("-0.9")],
+    U0F16::lit("0.84"),
+);
 
 /// The table above, the girdle around the middle, and the culet below.
 #[rustfmt::skip]
@@ -74,7 +67,7 @@ const FACES: [[u16; 3]; FaceSet::count_triangles(&FACETS)] = match FaceSet::tria
     Err(_) => panic!("a facet is not planar or not convex"),
 };
 
-/// What is between two facets; not what cuts one into triangles.
+/// The edges between facets. Diagonals that cut a facet into triangles are none, because both sides lie in one plane.
 static EDGES: [Edge; FaceSet::count_edges(&VERTICES, &FACES)] =
     match FaceSet::find_edges(&VERTICES, &FACES, I2F14::lit("0.99")) {
         Ok(edges) => edges,

@@ -9,7 +9,7 @@ use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{Band, Order},
     scene::{self, Camera, Memory, Model, OnePass, Pose, Rotation, Whole},
-    shade::{DirectionalLight, Gouraud, GouraudSkin, Lambert},
+    shade::{Gouraud, GouraudSkin, Lambert},
 };
 
 use crate::{
@@ -17,7 +17,7 @@ use crate::{
     oled::{AREA, FRAMES},
     standard::{NEAR, angle},
     teapot::{TEAPOT, TEAPOT_NORMALS},
-    teapots::shaded,
+    teapots::{one_light, shaded},
 };
 
 /// No face is ever cut, and no row takes several passes.
@@ -27,19 +27,11 @@ const DISTANCE: I16F16 = I16F16::lit("1400");
 /// In pixels.
 const FOCAL_LENGTH: I16F16 = I16F16::lit("124");
 /// A light from the upper left that leaves the other side nearly dark.
-const SPOT: Lambert<1> = Lambert {
-    ambient: U0F16::lit("0.1"),
-    lights: [
-        match DirectionalLight::from_direction(
-            [I16F16::lit("-0.7"), I16F16::lit("0.6"), I16F16::lit("-0.4")],
-            U0F16::lit("0.9"),
-        ) {
-            Ok(light) => light,
-            Err(_) => panic!("a direction without length"),
-        },
-    ],
-    points: [],
-};
+const SPOT: Lambert<1> = one_light(
+    U0F16::lit("0.1"),
+    [I16F16::lit("-0.7"), I16F16::lit("0.6"), I16F16::lit("-0.4")],
+    U0F16::lit("0.9"),
+);
 /// The most faces that cross a row in any frame.
 const ACTIVE: usize = 58;
 

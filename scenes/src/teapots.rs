@@ -30,19 +30,24 @@ pub(crate) const TEXELS: usize = 64;
 pub(crate) const CLAY: &[Rgb565] = &[rgb(236, 188, 150)];
 
 /// The light of the teapots, from the upper left.
-pub const LIGHT: Lambert<1> = Lambert {
-    ambient: U0F16::lit("0.25"),
-    lights: [
-        match DirectionalLight::from_direction(
-            [I16F16::lit("-0.5"), I16F16::lit("0.7"), I16F16::lit("-0.6")],
-            U0F16::lit("0.75"),
-        ) {
-            Ok(light) => light,
-            Err(_) => panic!("a direction without length"),
-        },
-    ],
-    points: [],
-};
+pub const LIGHT: Lambert<1> = one_light(
+    U0F16::lit("0.25"),
+    [I16F16::lit("-0.5"), I16F16::lit("0.7"), I16F16::lit("-0.6")],
+    U0F16::lit("0.75"),
+);
+
+/// Ambient light, and one light from a direction.
+pub(crate) const fn one_light(ambient: U0F16, direction: [I16F16; 3], intensity: U0F16) -> Lambert<1> {
+    let light = match DirectionalLight::from_direction(direction, intensity) {
+        Ok(light) => light,
+        Err(_) => panic!("a direction without length"),
+    };
+    Lambert {
+        ambient,
+        lights: [light],
+        points: [],
+    }
+}
 
 /// Blue on white, as on porcelain: rings, and between them a row of diamonds.
 pub static PORCELAIN: [[u16; TEXELS]; TEXELS] = {

@@ -76,7 +76,7 @@ pub enum InputError {
     },
     /// The polygons of a mesh are cut into another number of triangles than there shall be.
     NumberOfFaces {
-        /// How many triangles the polygons are cut into.
+        /// The number of triangles that the polygons of the mesh are cut into: the length that the array of faces must have.
         needed: usize,
     },
     /// The near plane of a [`Camera`](crate::scene::Camera) must be at least 8 units of the vertices away: choose a finer unit.

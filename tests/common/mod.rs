@@ -1,6 +1,7 @@
 //! Shared by the tests of all stages: full-frame pictures of what is drawn, proptest with a fixed seed, the number of its cases.
 #![allow(dead_code, reason = "each test program uses a part")]
 
+mod cases;
 pub mod channels;
 pub mod hostile;
 pub mod meshes;
@@ -12,29 +13,9 @@ use embedded_graphics::{
     prelude::*,
     primitives::Rectangle,
 };
-use proptest::test_runner::{Config, RngSeed};
 use zrow::{band::Band, draw::DrawOn};
 
-/// Whether the environment variable `ZROW_DEEP` is 1, as it is in `.ci/run`: everything is tried, however long it takes.
-pub fn is_deep() -> bool {
-    std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1")
-}
-
-/// The number of cases that proptest tries: `default`, or `deep` where the environment variable `ZROW_DEEP` is 1. With the fixed
-/// seed of [`config`] the cases of a default run are the first ones of a deep run.
-pub fn cases(default: u32, deep: u32) -> u32 {
-    if is_deep() { deep } else { default }
-}
-
-/// proptest with a fixed seed, so that every run tests the same cases.
-pub fn config(cases: u32) -> Config {
-    Config {
-        cases,
-        rng_seed: RngSeed::Fixed(0x0123_4567),
-        failure_persistence: None,
-        ..Config::default()
-    }
-}
+pub use cases::*;
 
 /// The pixels of `area` that a drawing turned from black to another colour, row by row.
 pub fn painted(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<Point> {

@@ -12,7 +12,7 @@ use zrow::{
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::numbered_scene::{Format, LookOf, Scene, WholeLookOf, area, picture};
+use crate::numbered_scene::{Format, LookIn, Scene, WholeLookIn, area, picture};
 use crate::snapped_faces::camera;
 
 const WIDTH: u32 = 48;
@@ -56,7 +56,7 @@ fn check_with<S: Format<D>, D: DepthWidth>(corners: [[i16; 3]; 3], camera: &Came
     let scene = Scene::new(vec![Mesh::new(corners.to_vec(), vec![[0, 1, 2]])]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(WIDTH, HEIGHT);
-    let mut memory = Memory::<LookOf<S, D>, 40, 1, 128, 40, 8>::new();
+    let mut memory = Memory::<LookIn<S, D>, 40, 1, 128, 40, 8>::new();
     let mut prepared = memory.prepare(camera, &models).unwrap();
     let face = corners.map(|corner| corner.map(f64::from));
     let mut seen = 0;
@@ -135,7 +135,7 @@ fn the_near_plane_cuts_to_the_unit() {
             Rotation::IDENTITY,
             [I16F16::ZERO, I16F16::ZERO, near + behind],
         ));
-        let mut memory = Memory::<LookOf<S, D>, 3, 1, 128, 40, 1>::new();
+        let mut memory = Memory::<LookIn<S, D>, 3, 1, 128, 40, 1>::new();
         let prepared = memory.prepare(&camera(area(WIDTH, HEIGHT)), &models)?;
         let face = prepared.faces().next().expect("a whole face");
         Ok(face.corners[0].depth)
@@ -183,11 +183,11 @@ fn the_far_plane_cuts_to_the_unit() {
             )]);
             let position = [I16F16::ZERO, I16F16::ZERO, far + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, position));
-            let mut memory = Memory::<LookOf<S, D>, 11, 1, 128, 40, 1>::new();
+            let mut memory = Memory::<LookIn<S, D>, 11, 1, 128, 40, 1>::new();
             let prepared = memory.prepare(&camera, &models).unwrap();
             assert_eq!(prepared.vertices_needed() > 3, is_cut, "{behind}");
             assert!(prepared.faces().count() > 0);
-            let mut whole = Memory::<WholeLookOf<S, D>, 3, 1, 128, 40, 1>::new();
+            let mut whole = Memory::<WholeLookIn<S, D>, 3, 1, 128, 40, 1>::new();
             assert_eq!(whole.prepare(&camera, &models).err(), None, "{behind}");
         }
     }

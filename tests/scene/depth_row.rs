@@ -10,16 +10,16 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
-use crate::numbered_scene::{Format, LookOf, Scene, area, compare, picture};
+use crate::numbered_scene::{Format, LookIn, Scene, area, compare, picture};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
-type SmallMemory<S, D> = Memory<LookOf<S, D>, 400, 64, 128, 64, 64>;
+type SmallMemory<S, D> = Memory<LookIn<S, D>, 400, 64, 128, 64, 64>;
 
 /// All frames of a standard scene; returns how many pixels differ.
 fn standard<S: Format<D>, D: DepthWidth>(meshes: Vec<Mesh>) -> usize {
     let scene = Scene::new(meshes);
     let area = area(128, 64);
-    let mut memory = Box::new(Memory::<LookOf<S, D>, 296, 588, 128, 64, 128>::new());
+    let mut memory = Box::new(Memory::<LookIn<S, D>, 296, 588, 128, 64, 128>::new());
     let mut differing = 0;
     for number in 0..64 {
         let models = scene.models(standard_pose(number));
@@ -182,14 +182,14 @@ fn a_depth_unit_across_the_picture() {
     let scene = Scene::new(vec![Mesh::new(vertices, faces)]);
     let models = scene.models(Pose::IDENTITY);
     let area = area(320, 240);
-    let mut memory = Box::new(Memory::<LookOf<Sub8>, 8, 4, 320, 240, 4>::new());
+    let mut memory = Box::new(Memory::<LookIn<Sub8>, 8, 4, 320, 240, 4>::new());
     let mut prepared = memory.prepare(&camera(area), &models).unwrap();
     assert_eq!(compare(&mut prepared, area), 0);
     let seen = picture(&mut prepared, area);
     for face in 0..4 {
         assert!(seen.contains(&Some(face)), "face {face} is seen");
     }
-    let mut memory = Box::new(Memory::<LookOf<Sub8, u32>, 8, 4, 320, 240, 4>::new());
+    let mut memory = Box::new(Memory::<LookIn<Sub8, u32>, 8, 4, 320, 240, 4>::new());
     assert_eq!(compare(&mut memory.prepare(&camera(area), &models).unwrap(), area), 0);
 }
 
@@ -282,7 +282,7 @@ fn a_floor_under_the_camera_has_no_cracks() {
         let area = area(96, 80);
         let whole = Scene::new(vec![Mesh::new(vertices.clone(), faces.clone())]);
         let models = whole.models(Pose::IDENTITY);
-        let mut memory = Box::new(Memory::<LookOf<S, D>, 600, 98, 128, 80, 98>::new());
+        let mut memory = Box::new(Memory::<LookIn<S, D>, 600, 98, 128, 80, 98>::new());
         let mut prepared = memory.prepare(&camera(area), &models).unwrap();
         assert!(snapped(&prepared).len() > 20);
         let all = picture(&mut prepared, area);

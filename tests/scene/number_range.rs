@@ -16,7 +16,7 @@ use zrow::{
 
 use crate::common::config;
 use crate::common::numbers::any_number;
-use crate::numbered_scene::{Format, LookOf, WholeLookOf};
+use crate::numbered_scene::{Format, LookIn, WholeLookIn};
 
 proptest! {
     #![proptest_config(config(20_000))]
@@ -154,16 +154,16 @@ fn check_scene<S: Format<D>, D: DepthWidth>(
     camera: &Camera,
     models: &[Model<'_, Rgb888>],
 ) -> Result<(), TestCaseError> {
-    let whole = scene::<LookOf<S, D>>(camera, models, 48);
+    let whole = scene::<LookIn<S, D>>(camera, models, 48);
     match &whole {
         Ok(picture) => {
-            prop_assert_eq!(&scene::<LookOf<S, D>>(camera, models, 1).unwrap(), picture);
-            prop_assert_eq!(&scene::<LookOf<S, D>>(camera, models, 5).unwrap(), picture);
+            prop_assert_eq!(&scene::<LookIn<S, D>>(camera, models, 1).unwrap(), picture);
+            prop_assert_eq!(&scene::<LookIn<S, D>>(camera, models, 5).unwrap(), picture);
         }
         Err(error) => prop_assert!(matches!(error, InputError::OutOfDomain { .. }), "{}", error),
     }
     // Where no face has to be cut, none is.
-    if let Ok(picture) = scene::<WholeLookOf<S, D>>(camera, models, 48) {
+    if let Ok(picture) = scene::<WholeLookIn<S, D>>(camera, models, 48) {
         prop_assert_eq!(Some(picture), whole.ok());
     }
     Ok(())

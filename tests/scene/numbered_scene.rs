@@ -38,8 +38,8 @@ impl Format<u32> for Sub8 {
     type WholeLook = Whole<Fine<Deep<Rgb888>>>;
 }
 
-pub type LookOf<S, D = u16> = <S as Format<D>>::Look;
-pub type WholeLookOf<S, D = u16> = <S as Format<D>>::WholeLook;
+pub type LookIn<S, D = u16> = <S as Format<D>>::Look;
+pub type WholeLookIn<S, D = u16> = <S as Format<D>>::WholeLook;
 
 /// A colour that names a face; black is no face.
 pub fn color_of(order: usize) -> Rgb888 {

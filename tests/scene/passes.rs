@@ -11,10 +11,10 @@ use zrow::{
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
 use crate::depth_row::{faces, pose};
-use crate::numbered_scene::{Format, LookOf, Scene, area, picture};
+use crate::numbered_scene::{Format, LookIn, Scene, area, picture};
 use crate::snapped_faces::{camera, standard_pose};
 
-type MemoryOf<S, D, const ACTIVE: usize> = Memory<LookOf<S, D>, 600, 128, 128, 64, ACTIVE>;
+type MemoryOf<S, D, const ACTIVE: usize> = Memory<LookIn<S, D>, 600, 128, 128, 64, ACTIVE>;
 
 /// The faces of a picture drawn in bands of this height and width, from below or from above.
 fn in_bands<L: Look<Color = Rgb888>>(

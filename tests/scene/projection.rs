@@ -9,7 +9,7 @@ use zrow::{
 };
 
 use crate::common::config;
-use crate::numbered_scene::{Format, LookOf};
+use crate::numbered_scene::{Format, LookIn};
 
 type Matrix = [[f64; 3]; 3];
 
@@ -120,7 +120,7 @@ fn projected<S: Format<D>, D: DepthWidth>(vertex: [i16; 3], model: Pose, camera:
     let vertices = [vertex];
     let mesh = FaceSet::new(&vertices, &[[0, 0, 0]]).unwrap();
     let models = [Model::new(mesh, &[Rgb888::RED]).unwrap().with_pose(model)];
-    let mut memory = Memory::<LookOf<S, D>, 1, 1, 320, 240, 0>::new();
+    let mut memory = Memory::<LookIn<S, D>, 1, 1, 320, 240, 0>::new();
     let prepared = memory.prepare(camera, &models).unwrap();
     let face = prepared.faces().next()?;
     let corner = face.corners[0];

@@ -16,7 +16,7 @@ use zrow::{
 };
 
 use crate::common::meshes::{self, Mesh};
-use crate::numbered_scene::{Format, LookOf, Scene, area, color_of, picture};
+use crate::numbered_scene::{Format, LookIn, Scene, area, color_of, picture};
 use crate::reference::nearest_faces;
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
@@ -302,7 +302,7 @@ fn active_faces_are_counted_exactly() {
 /// The picture with the depth row in use everywhere.
 fn with_depths<const ACTIVE: usize, S: Format<u16>>(scene: &Scene) -> Vec<Rgb888> {
     let models = scene.models(Pose::new(Rotation::about_x(U0F16::ZERO), at(0, 0, 1024)));
-    let mut memory = Memory::<LookOf<S>, 48, 16, 128, 64, ACTIVE>::new();
+    let mut memory = Memory::<LookIn<S>, 48, 16, 128, 64, ACTIVE>::new();
     let mut prepared = memory.prepare(&camera(area(128, 64)), &models).unwrap();
     let mut words = vec![0; 128 * 64];
     let mut band = Band::<Rgb888>::new(area(128, 64), &mut words).unwrap();
@@ -431,7 +431,7 @@ fn what_cannot_be_is_an_error() {
 /// The picture and the number of rows without depths, through `draw` and with the depth row in use everywhere.
 fn with_and_without_depths<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> (bool, u32) {
     let area = area(128, 64);
-    let mut memory = Box::new(Memory::<LookOf<S, D>, 400, 600, 128, 64, 128>::new());
+    let mut memory = Box::new(Memory::<LookIn<S, D>, 400, 600, 128, 64, 128>::new());
     let mut prepared = memory.prepare(camera, models).unwrap();
     let drawn = picture(&mut prepared, area);
     let rows = prepared.rows_without_depth();

@@ -158,7 +158,7 @@ fn check_names<H: Skinned<Color = Rgb565>>() {
     for_each_pair!(check_items, H);
 }
 
-/// What a look says to more faces in a row than it has slots for.
+/// Whether a frame is refused because more than ten faces cross one of its rows, which is as many as the memory has slots for.
 fn is_too_few(crowded: &Result<Vec<u16>, InputError>) -> bool {
     matches!(crowded, Err(InputError::TooSmall(TooSmall::ActiveFaces(11..))))
 }

@@ -82,12 +82,13 @@ fn flat_skin<C>(colors: &[C]) -> FlatLitSkin<'_, C, Lambert<0>> {
     }
 }
 
-/// What the attributes of a vertex are in a pixel on it, in 1/65,536 unit: half a unit above, and off by a gradient's error.
+/// The attributes of a vertex as a face has them at a pixel whose centre is that vertex, in 1/65,536 unit: half a unit more,
+/// so that the upper half is the nearest unit, and off by `error`.
 fn at_pixel(attributes: [i16; 3], error: i32) -> [i32; 3] {
     attributes.map(|attribute| (i32::from(attribute) << 16) + (1 << 15) + error)
 }
 
-/// How far an attribute may be from its plane, as `shading_attributes` checks.
+/// The greatest error of an attribute at a pixel, in 1/65,536 unit, which the tests of `shading_attributes` do not let pass.
 const MOST_ERROR: i32 = 1_024;
 
 /// A vertex and a face of one colour under full light have that colour.
@@ -182,8 +183,8 @@ fn full_light_draws_every_color() {
     );
 }
 
-/// Where the channels of corners have 0 or the greatest level, or others, the least and the greatest of each are never left,
-/// as far as attributes may be off.
+/// A pixel in which each channel is that of the darkest corner has exactly that level, however far its attributes may be off,
+/// and so has one of the brightest corner: between the two no level is left.
 fn ends_are_kept<C: Channels + ChannelColor>(levels: [[u32; 3]; 3])
 where
     C::Word: std::fmt::Debug + PartialEq,

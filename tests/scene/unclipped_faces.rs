@@ -9,15 +9,15 @@ use zrow::{
 
 use crate::common::config;
 use crate::common::meshes::{self, Mesh};
-use crate::numbered_scene::{Format, LookOf, Scene, WholeLookOf, area, picture};
+use crate::numbered_scene::{Format, LookIn, Scene, WholeLookIn, area, picture};
 use crate::snapped_faces::{at, camera, standard_pose};
 
 const WIDTH: u32 = 48;
 const HEIGHT: u32 = 40;
 const NEAR: i32 = 128;
 
-type Clipping<S, D> = Memory<LookOf<S, D>, 400, 600, 128, 64, 128>;
-type Whole<S, D> = Memory<WholeLookOf<S, D>, 400, 600, 128, 64, 128>;
+type Clipping<S, D> = Memory<LookIn<S, D>, 400, 600, 128, 64, 128>;
+type Whole<S, D> = Memory<WholeLookIn<S, D>, 400, 600, 128, 64, 128>;
 
 /// What a vertex is beyond that is off the screen.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -163,7 +163,7 @@ fn the_near_plane_itself_is_no_error() {
         ] {
             let position = [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(NEAR) + behind];
             let models = scene.models(Pose::new(Rotation::IDENTITY, position));
-            let mut memory = Memory::<WholeLookOf<S, D>, 3, 1, 128, 40, 1>::new();
+            let mut memory = Memory::<WholeLookIn<S, D>, 3, 1, 128, 40, 1>::new();
             assert_eq!(memory.prepare(&camera(area(WIDTH, HEIGHT)), &models).err(), error);
         }
     }
@@ -184,7 +184,7 @@ fn the_guard_band_ends_where_it_says() {
                 vec![[x, y, 240], [-50, 40, 240], [60, 0, 240]],
                 vec![[0, 1, 2]],
             )]);
-            let mut memory = Memory::<WholeLookOf<Sub4>, 3, 1, 128, 40, 1>::new();
+            let mut memory = Memory::<WholeLookIn<Sub4>, 3, 1, 128, 40, 1>::new();
             let prepared = memory
                 .prepare(&camera(area(WIDTH, HEIGHT)), &scene.models(Pose::IDENTITY))
                 .err();
@@ -216,7 +216,7 @@ fn an_error_leaves_the_storage_usable() {
         assert_eq!(picture(&mut memory.prepare(&camera, &models).unwrap(), area), before);
     }
     // Of several things that are wrong, the tables come first: they say what would do.
-    let mut small = Memory::<WholeLookOf<Sub4>, 295, 588, 128, 64, 128>::new();
+    let mut small = Memory::<WholeLookIn<Sub4>, 295, 588, 128, 64, 128>::new();
     let full = InputError::TooSmall(TooSmall::Vertices(296));
     assert_eq!(small.prepare(&camera, &scene.models(near)).err(), Some(full));
 }

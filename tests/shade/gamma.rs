@@ -81,7 +81,7 @@ fn spread<C: Channels>(level: u32) -> C {
     }))
 }
 
-/// Every level over every level to every coverage, or to every third one from 0 to 255, in all channels at a time.
+/// Every level over every level to every coverage, in all channels at a time; by default to every third one, from 0 to 255.
 fn every_mix<C: Channels, const TENTHS: u32>() {
     let gamma = f64::from(TENTHS) / 10.0;
     let exact = C::MAX.map(|max| Exact::new(max, gamma, bound(TENTHS)));

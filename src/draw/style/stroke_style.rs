@@ -321,14 +321,12 @@ mod tests {
         pixelcolor::{Rgb565, RgbColor},
         primitives::{Line, Polyline},
     };
-    use proptest::{
-        prelude::*,
-        test_runner::{Config, RngSeed},
-    };
+    use proptest::prelude::*;
 
     use super::*;
     use crate::{
         band::Band,
+        cases::{config, is_deep},
         draw::Polygon,
         scan::stroke::work::{self, MOST_STEPS},
     };
@@ -405,8 +403,7 @@ mod tests {
     #[test]
     fn many_segments_with_a_few_dashes_each_are_bounded_too() {
         // All widths where everything is tried, however long it takes.
-        let is_deep = std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1");
-        let widths: &[u32] = if is_deep { &[1, 2, 5] } else { &[2] };
+        let widths: &[u32] = if is_deep() { &[1, 2, 5] } else { &[2] };
         for (step, drop) in [(0, 0), (0, 3), (1, 2), (3, 9), (0, 40), (5, 40)] {
             let points: Vec<Point> = (0..60)
                 .map(|index| Point::new(-4 + (index % 2) * 70, 3 + step * index / 4 + (index % 2) * drop))
@@ -464,12 +461,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(Config {
-            cases: 400,
-            rng_seed: RngSeed::Fixed(0x0123_4567),
-            failure_persistence: None,
-            ..Config::default()
-        })]
+        #![proptest_config(config(400))]
 
         #[test]
         fn work_is_bounded_by_the_pixels_without_gaps(

@@ -297,12 +297,10 @@ mod tests {
     use std::{collections::BTreeSet, vec, vec::Vec};
 
     use fixed::types::{I16F16, U16F16};
-    use proptest::{
-        prelude::*,
-        test_runner::{Config, RngSeed},
-    };
+    use proptest::prelude::*;
 
     use super::*;
+    use crate::cases::{cases, config};
     use crate::scan::{
         polygon::{
             banded_polygon,
@@ -406,15 +404,6 @@ mod tests {
         assert!(drawn > 100, "{drawn}");
     }
 
-    fn config(cases: u32) -> Config {
-        Config {
-            cases,
-            rng_seed: RngSeed::Fixed(0x0123_4567),
-            failure_persistence: None,
-            ..Config::default()
-        }
-    }
-
     fn cap() -> impl Strategy<Value = LineCap> {
         prop::sample::select(vec![
             LineCap::WholePixel,
@@ -454,8 +443,7 @@ mod tests {
     }
 
     proptest! {
-        // Many more where everything is tried, however long it takes.
-        #![proptest_config(config(if std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1") { 1_500 } else { 300 }))]
+        #![proptest_config(config(cases(300, 1_500)))]
 
         #[test]
         fn spans_of_dashes_are_the_dashes_one_by_one(

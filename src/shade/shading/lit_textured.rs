@@ -41,8 +41,8 @@ pub struct LitTexturedSkin<'a, T: Sampler, L = Lambert<1>> {
     /// The texture coordinates of the vertices, in 1/4,096 of the texture: u to the right, v down.
     pub coordinates: &'a [[i16; 2]],
     /// The normals of the vertices, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| +
-    /// |y| + |z|; where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y, each with
-    /// either sign where that is 0.
+    /// |y| + |z|; where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y.
+    /// Where x or y is 0, either sign will do.
     pub normals: &'a [[i8; 2]],
     /// The lights.
     pub lights: L,
