@@ -25,7 +25,7 @@ use crate::{
     geometry::{InputError, Sub8, SubPixel, Window},
     scan::stroke::{
         line_join::sharp_tip,
-        wide_stroke::{Position, Segment, UNIT, cross, miter_tip, negated},
+        wide_stroke::{Direction, Position, UNIT, cross, miter_tip, negated},
     },
 };
 
@@ -141,8 +141,6 @@ struct TriangleSides {
     vertices: [Position; 3],
     /// Twice the area, in 1/65,536 pixel squared.
     doubled_area: i64,
-    /// The length of all sides, in 1/65,536 pixel.
-    perimeter: i64,
 }
 
 impl TriangleSides {
@@ -157,27 +155,31 @@ impl TriangleSides {
         if doubled_area < 0 {
             (b, c) = (c, b);
         }
-        let length = |(x, y): Position| ((x * x + y * y) as u64).isqrt() as i64;
-        let perimeter = length(between(a, b)) + length(between(b, c)) + length(between(c, a));
         Some(Self {
             vertices: [a, b, c],
             doubled_area: doubled_area.abs(),
-            perimeter,
         })
+    }
+
+    /// The length of all sides, in 1/65,536 pixel.
+    fn perimeter(&self) -> i64 {
+        let [a, b, c] = self.vertices;
+        let length = |(x, y): Position| ((x * x + y * y) as u64).isqrt() as i64;
+        length(between(a, b)) + length(between(b, c)) + length(between(c, a))
     }
 
     /// The contour whose sides lie that far beyond the triangle's, or inside where that is negative; `None` where
     /// nothing is left of it.
     fn contour(&self, beyond: i64) -> Option<Contour> {
         // The triangle's largest circle has the radius doubled area / perimeter. Below 2^30 times 2^33.
-        if beyond < 0 && beyond.abs().checked_mul(self.perimeter)? >= self.doubled_area {
+        if beyond < 0 && beyond.abs().checked_mul(self.perimeter())? >= self.doubled_area {
             return None;
         }
         let [a, b, c] = self.vertices;
+        let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(from, to)| Side::new(from, to, beyond.abs()));
         let mut contour = Contour::new();
-        for (before, vertex, after) in [(c, a, b), (a, b, c), (b, c, a)] {
-            let (mut before, mut after) = (Segment::new(before, vertex), Segment::new(vertex, after));
-            for (right, down) in corner(&mut before, &mut after, beyond).into_iter().flatten() {
+        for (before, vertex, after) in [(&ca, a, &ab), (&ab, b, &bc), (&bc, c, &ca)] {
+            for (right, down) in corner(before, after, beyond).into_iter().flatten() {
                 let units = |position: i64, offset: i64| {
                     let units = sub_outline::rounded(position + offset);
                     units.clamp(i32::MIN.into(), i32::MAX.into()) as i32
@@ -195,18 +197,37 @@ fn between(from: Position, to: Position) -> Position {
     (to.0 - from.0, to.1 - from.1)
 }
 
+/// A side of a triangle, clockwise on the screen.
+struct Side {
+    along: Direction,
+    /// How far the side is moved: the vector outwards, which is as long as that distance.
+    outwards: Position,
+}
+
+impl Side {
+    /// The side between two vertices, and the vector that moves it outwards by `distance`.
+    fn new(from: Position, to: Position, distance: i64) -> Self {
+        let along = Direction::of(between(from, to));
+        Self {
+            // Clockwise, normals point inwards.
+            outwards: negated(along.normal(distance)),
+            along,
+        }
+    }
+}
+
 /// The corner, or both corners, between two sides that are moved outwards by `beyond`, relative to their vertex.
-fn corner(before: &mut Segment, after: &mut Segment, beyond: i64) -> [Option<Position>; 2] {
+fn corner(before: &Side, after: &Side, beyond: i64) -> [Option<Position>; 2] {
     let distance = beyond.abs();
     if distance == 0 {
         return [Some((0, 0)), None];
     }
-    // Clockwise, normals point inwards.
-    let one = negated(after.offsets(distance).normal);
-    let other = negated(before.offsets(distance).normal);
+    let (one, other) = (after.outwards, before.outwards);
     let tip = miter_tip(one, other, distance);
     if beyond < 0 {
-        let tip = tip.or_else(|| sharp_tip(before, after, distance)).unwrap_or(one);
+        let tip = tip
+            .or_else(|| sharp_tip(before.along, after.along, distance))
+            .unwrap_or(one);
         return [Some(negated(tip)), None];
     }
     match tip {

@@ -65,7 +65,9 @@ impl LineJoin {
         let is_sharp = one.0 * other.0 + one.1 * other.1 < 0;
         let tip = match blunt {
             Some(tip) => tip,
-            None if longest > BLUNT * half_width && is_sharp => sharp_tip(before, after, half_width)?,
+            None if longest > BLUNT * half_width && is_sharp => {
+                sharp_tip(before.direction(), after.direction(), half_width)?
+            }
             None => return None,
         };
         let is_near = tip.0.abs() <= FURTHEST_TIP && tip.1.abs() <= FURTHEST_TIP;
@@ -88,10 +90,8 @@ fn longest_tip(limit: U8F8, half_width: i64) -> i64 {
 /// The point in which the outer sides of a sharp corner meet, relative to the corner; `None` where both run along one line.
 ///
 /// With the unit vectors u and v along the segments: half_width * (u - v) / |u x v|.
-pub(crate) fn sharp_tip(before: &Segment, after: &Segment, half_width: i64) -> Option<Position> {
+pub(crate) fn sharp_tip(before: Direction, after: Direction, half_width: i64) -> Option<Position> {
     const UNIT_BITS: u32 = 30;
-    let along = |segment: &Segment| Direction::of((segment.to.0 - segment.from.0, segment.to.1 - segment.from.1));
-    let (before, after) = (along(before), along(after));
     let unit = |component: i64, length: NonZeroU64| quotient_nearest(component << UNIT_BITS, length);
     // Components have 30 bits, lengths 31: the products fit.
     let sine = cross((before.x, before.y), (after.x, after.y)).abs();

@@ -271,6 +271,11 @@ impl Segment {
         }
     }
 
+    /// The direction of a segment that is longer than 0.
+    pub(crate) fn direction(&self) -> Direction {
+        Direction::of((self.to.0 - self.from.0, self.to.1 - self.from.1))
+    }
+
     pub(crate) fn offsets(&mut self, half_width: i64) -> Offsets {
         let (from, to) = (self.from, self.to);
         *self
