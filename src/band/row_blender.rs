@@ -80,6 +80,20 @@ impl<C: ChannelColor, O: Order, T: TransferFunction> Emit<Infallible> for RowBle
     }
 
     #[inline(never)]
+    fn between(&mut self, columns: Range<i32>, first: Coverage, last: Coverage) -> Result<(), Infallible> {
+        let [start, end] = [columns.start, columns.end].map(|x| offset_from(self.left, x) as usize);
+        if let Some([left, inside @ .., right]) = self.words.get_mut(start..end) {
+            for (word, x, coverage) in [(left, columns.start, first), (right, columns.end - 1, last)] {
+                if coverage != 0 {
+                    C::blend_run::<T, O>(core::slice::from_mut(word), Point::new(x, self.y), self.color, coverage);
+                }
+            }
+            C::Word::fill(inside, O::reorder(self.color.to_word()));
+        }
+        Ok(())
+    }
+
+    #[inline(never)]
     fn span(&mut self, columns: Range<i32>, coverage: Coverage) -> Result<(), Infallible> {
         let [start, end] = [columns.start, columns.end].map(|x| offset_from(self.left, x) as usize);
         if let Some(words) = self.words.get_mut(start..end) {
@@ -176,6 +190,43 @@ mod tests {
                 check::<_, LittleEndian>(Gray4::new(11), columns.clone(), coverage);
                 check::<_, LittleEndian>(Rgb888::CYAN, columns.clone(), coverage);
                 check::<_, LittleEndian>(BinaryColor::On, columns, coverage);
+            }
+        }
+    }
+
+    /// Pixels between two edges are the same drawn together, and as a pixel, a span and a pixel.
+    fn check_between<C: ChannelColor + core::fmt::Debug, O: Order>(
+        color: C,
+        columns: Range<i32>,
+        [first, last]: [Coverage; 2],
+    ) {
+        let area = Rectangle::new(Point::new(-3, 5), Size::new(9, 3));
+        let (mut at_once, mut one_by_one) = (words::<C>(), words::<C>());
+        let mut band = Band::<C, O>::new(area, &mut at_once).unwrap();
+        let Ok(()) = band.blender(color).row(6).between(columns.clone(), first, last);
+        let mut band = Band::<C, O>::new(area, &mut one_by_one).unwrap();
+        let mut blender = band.blender(color);
+        for x in columns.clone() {
+            let coverage = match x {
+                _ if x == columns.start => first,
+                _ if x == columns.end - 1 => last,
+                _ => Coverage::MAX,
+            };
+            if coverage > 0 {
+                let Ok(()) = blender.row(6).pixel(x, coverage);
+            }
+        }
+        assert!(at_once == one_by_one, "{columns:?}, {first} to {last} of {color:?}");
+    }
+
+    #[test]
+    fn pixels_between_two_edges_are_blended_together() {
+        for coverages in [[0, 0], [0, 255], [1, 0], [255, 7], [99, 200], [255, 255]] {
+            for columns in [-3..6, 0..2, 2..5, -3..-1] {
+                check_between::<_, LittleEndian>(Rgb565::new(3, 60, 17), columns.clone(), coverages);
+                check_between::<_, BigEndian>(Rgb565::new(30, 1, 9), columns.clone(), coverages);
+                check_between::<_, LittleEndian>(Gray4::new(11), columns.clone(), coverages);
+                check_between::<_, LittleEndian>(BinaryColor::On, columns, coverages);
             }
         }
     }

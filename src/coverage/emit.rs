@@ -28,6 +28,25 @@ pub trait Emit<E> {
     /// # Errors
     /// The error of the target or the closure that takes the pixels.
     fn span(&mut self, columns: Range<i32>, coverage: Coverage) -> Result<(), E>;
+
+    /// Takes two pixels or more that are wholly covered, but for the first and the last one: those between two edges.
+    ///
+    /// # Errors
+    /// The error of the target or the closure that takes the pixels.
+    #[inline(always)]
+    fn between(&mut self, columns: Range<i32>, first: Coverage, last: Coverage) -> Result<(), E> {
+        let inside = columns.start + 1..columns.end - 1;
+        if first != 0 {
+            self.pixel(columns.start, first)?;
+        }
+        if !inside.is_empty() {
+            self.span(inside, Coverage::MAX)?;
+        }
+        match last {
+            0 => Ok(()),
+            last => self.pixel(columns.end - 1, last),
+        }
+    }
 }
 
 impl<E, F: FnMut(Range<i32>, Coverage) -> Result<(), E>> Emit<E> for F {
@@ -50,6 +69,11 @@ impl<E, T: Emit<E>> Emit<E> for ByReference<'_, T> {
     #[inline(always)]
     fn span(&mut self, columns: Range<i32>, coverage: Coverage) -> Result<(), E> {
         self.0.span(columns, coverage)
+    }
+
+    #[inline(always)]
+    fn between(&mut self, columns: Range<i32>, first: Coverage, last: Coverage) -> Result<(), E> {
+        self.0.between(columns, first, last)
     }
 }
 

@@ -326,4 +326,30 @@ proptest! {
         let [whole, by_row] = [false, true].map(|row_by_row| pixels(&covered(&edges, rule, &window, row_by_row), &window));
         prop_assert_eq!(whole, by_row);
     }
+    /// Rows that two edges pass take a way of their own, to the same pixels, from left to right.
+    #[test]
+    fn rows_between_two_edges_are_covered_like_others(
+        contour in prop::collection::vec(
+            (
+                prop_oneof![-900..9_000i32, (-2..30i32).prop_map(|column| column * 256 - 128)],
+                prop_oneof![-900..9_000i32, (-2..30i32).prop_map(|row| row * 256 - 128)],
+            ),
+            3..8,
+        ),
+        is_even_odd: bool,
+        (left, top) in (-3..9i32, -2..9i32),
+    ) {
+        let window = crate::geometry::Window { left, top, right: left + 21, bottom: top + 20 };
+        let rule = if is_even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
+        let points: Vec<[i32; 2]> = contour.iter().map(|&(x, y)| [x, y]).collect();
+        let ends = points.iter().zip(points.iter().cycle().skip(1));
+        let edges: Vec<AntialiasedEdge> = ends.filter_map(|(&from, &to)| AntialiasedEdge::from_units(from, to)).collect();
+        let [whole, by_row] = [false, true].map(|row_by_row| covered(&edges, rule, &window, row_by_row));
+        prop_assert_eq!(pixels(&whole, &window), pixels(&by_row, &window));
+        for pair in whole.windows(2) {
+            let [(before, _), (after, _)] = pair else { unreachable!() };
+            prop_assert!(before.y < after.y || before.y == after.y && before.end <= after.start, "{:?}", pair);
+        }
+        prop_assert!(whole.iter().all(|(span, coverage)| span.start < span.end && *coverage > 0));
+    }
 }

@@ -7,6 +7,7 @@ mod inside_area;
 mod siblings;
 mod signed_area;
 mod sparse_row;
+mod sparse_rows;
 mod unordered_row;
 
 pub(crate) use cell::{AREA_BITS, Cell, for_each_visible as for_each_visible_cell};

@@ -21,6 +21,7 @@ use crate::{
             accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of_size, in_room},
             siblings::dense_rows,
             sparse_row::{CountedEdges, cover},
+            sparse_rows::cover_all,
         },
         edges::{RowSegment, Rows, X_ONE},
     },
@@ -71,17 +72,16 @@ impl CoverageMethod for SignedArea {
         if rows.are_dense() {
             return dense_rows::cover(rows, &columns, cells, coverage_by(fill_rule), emit);
         }
-        let (columns, cells) = in_room(&columns, cells);
         // A loop for each rule: looking it up takes three instructions a pixel, 4 % of a triangle in a mask (Cortex-M4).
         match fill_rule {
-            FillRule::NonZero => rows.for_each(|y, segments| {
+            FillRule::NonZero => {
                 let coverage = coverage_by(FillRule::NonZero);
-                cover(segments, &columns, cells, &mut Signed, coverage, &mut emit.row(y))
-            }),
-            FillRule::EvenOdd => rows.for_each(|y, segments| {
+                cover_all(rows, &columns, cells, &mut Signed, coverage, emit)
+            }
+            FillRule::EvenOdd => {
                 let coverage = coverage_by(FillRule::EvenOdd);
-                cover(segments, &columns, cells, &mut Signed, coverage, &mut emit.row(y))
-            }),
+                cover_all(rows, &columns, cells, &mut Signed, coverage, emit)
+            }
         }
     }
 }

@@ -52,18 +52,14 @@ pub(super) fn cover<E, C: CountedEdges>(
     coverage: impl Fn(i32) -> Coverage,
     emit: &mut impl Emit<E>,
 ) -> Result<(), E> {
-    let left = Wrapping(columns.start * X_ONE);
-    // A row of 2^19 pixels or more would wrap: then segments are clusters, which takes longer.
-    let width = (Wrapping(columns.end) * Wrapping(X_ONE) - left).0 as u32;
-    // As an unsigned number, an x left of the row is far right of it.
-    let is_inside = |x: i32| ((Wrapping(x) - left).0 as u32) < width;
+    let sides = RowSides::of(columns);
     let mut current = CurrentCell::NOTHING;
     while let [segment, others @ ..] = &*segments {
         let (start, end) = segment.ends();
         let is_alone = others
             .first()
             .is_none_or(|next| counted.is_disjoint(end, next.ends().0));
-        if is_alone && is_inside(start) && is_inside(end) {
+        if is_alone && sides.are_around(start) && sides.are_around(end) {
             if let Some(height) = counted.height(segment) {
                 current.go_to(start >> X_BITS, &coverage, emit)?;
                 current.pass([start, end], height, &coverage, emit)?;
@@ -87,6 +83,74 @@ pub(super) fn cover<E, C: CountedEdges>(
     current.emit_pixel(coverage, emit)
 }
 
+/// Emits the spans of a row between two edges that lie in it, in no pixel together, and pass it from top to bottom: each by its
+/// left and its right end in 1/8192 pixel, and the height that it counts with, in 1/16384 pixel.
+///
+/// # Errors
+/// The first error that `emit` returns.
+#[inline(always)]
+pub(super) fn cover_between<E>(
+    left: ([i32; 2], i32),
+    right: ([i32; 2], i32),
+    coverage: impl Fn(i32) -> Coverage,
+    emit: &mut impl Emit<E>,
+) -> Result<(), E> {
+    let (mut current, (ends, height)) = (CurrentCell::NOTHING, left);
+    current.0.x = ends[0] >> X_BITS;
+    current.pass(ends, height, &coverage, emit)?;
+    // The last pixel of the left edge waits for the first one of the right edge.
+    let mut waiting = Some((current.0.x, current.coverage(&coverage)));
+    current.0.area = Wrapping(0);
+    let mut pixel = |current: &CurrentCell, emit: &mut _| {
+        let (x, coverage) = (current.0.x, current.coverage(&coverage));
+        match waiting.take() {
+            Some((start, first)) => Emit::between(emit, start..x + 1, first, coverage),
+            None if coverage != 0 => Emit::pixel(emit, x, coverage),
+            None => Ok(()),
+        }
+    };
+    let (ends, height) = right;
+    let last = for_each(ends, height, |cell| {
+        current.add(cell);
+        pixel(&current, emit)?;
+        current.0.area = Wrapping(0);
+        Ok(())
+    })?;
+    current.add(last);
+    pixel(&current, emit)
+}
+
+/// The sides of a row of pixels.
+#[derive(Copy, Clone)]
+pub(super) struct RowSides {
+    left: Wrapping<i32>,
+    /// The distance between the sides, in 1/8192 pixel.
+    width: u32,
+}
+
+impl RowSides {
+    pub(super) fn of(columns: &Range<i32>) -> Self {
+        let left = Wrapping(columns.start * X_ONE);
+        // A row of 2^19 pixels or more would wrap: then all segments are clusters, which takes longer.
+        let width = (Wrapping(columns.end) * Wrapping(X_ONE) - left).0 as u32;
+        Self { left, width }
+    }
+
+    /// Whether an x, in 1/8192 pixel, lies between the sides.
+    #[inline(always)]
+    fn are_around(self, x: i32) -> bool {
+        // As an unsigned number, an x left of the row is far right of it.
+        ((Wrapping(x) - self.left).0 as u32) < self.width
+    }
+
+    /// Whether two edges, each given by its left and its right end, lie in the row, the first one left of the other, and in no
+    /// pixel together.
+    #[inline(always)]
+    pub(super) fn are_around_disjoint(self, [start, left_end]: [i32; 2], [right_start, end]: [i32; 2]) -> bool {
+        left_end >> X_BITS < right_start >> X_BITS && self.are_around(start) && self.are_around(end)
+    }
+}
+
 /// The cell of the last pixel that was reached, with the covers of all cells before it added to its own.
 struct CurrentCell(Cell);
 
@@ -98,10 +162,16 @@ impl CurrentCell {
         area: Wrapping(0),
     });
 
+    /// How much of the pixel is covered.
+    #[inline(always)]
+    fn coverage(&self, coverage: impl Fn(i32) -> Coverage) -> Coverage {
+        coverage((self.0.cover - self.0.area).0)
+    }
+
     /// Emits the pixel of the cell.
     #[inline(always)]
     fn emit_pixel<E>(&self, coverage: impl Fn(i32) -> Coverage, emit: &mut impl Emit<E>) -> Result<(), E> {
-        let coverage = coverage((self.0.cover - self.0.area).0);
+        let coverage = self.coverage(coverage);
         if coverage != 0 {
             emit.pixel(self.0.x, coverage)?;
         }

@@ -4,7 +4,7 @@ mod active_edge;
 pub(crate) mod antialiased_edge;
 pub(crate) mod monotone_chains;
 mod row_segment;
-mod row_segments;
+pub(crate) mod row_segments;
 
 pub use active_edge::ActiveEdge;
 pub use antialiased_edge::AntialiasedEdge;

@@ -167,6 +167,20 @@ impl RowSegment {
         (x_top, self.x_bottom)
     }
 
+    /// Steps as [`step_bottom`](Self::step_bottom) does; returns the left and the right end of the segment in that row.
+    #[inline(always)]
+    pub(crate) fn step_ends(&mut self) -> [i32; 2] {
+        let (top, bottom) = self.step_bottom();
+        [top.min(bottom), top.max(bottom)]
+    }
+
+    /// Steps to the next row of pixels, as [`step`](Self::step) does, once [`step_ends`](Self::step_ends) returned these ends.
+    #[inline]
+    pub(crate) fn go_between(&mut self, [left, right]: [i32; 2]) {
+        self.x_top = if self.x_bottom == left { right } else { left };
+        (self.left, self.right) = (left, right);
+    }
+
     /// Makes the segment stand for an edge of its chain that ended at `end_y`, the bottom of the row, so that its successor
     /// begins in the next row.
     #[inline]

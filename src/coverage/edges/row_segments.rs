@@ -50,7 +50,7 @@ pub(crate) fn scan<E>(
 
 /// Steps all segments to a row that every edge passes.
 #[inline]
-fn step(segments: &mut [RowSegment]) {
+pub(crate) fn step(segments: &mut [RowSegment]) {
     let (mut last, mut differences) = (i32::MIN / 2, 0);
     let mut rest = &mut *segments;
     while let [segment, others @ ..] = rest {
@@ -65,9 +65,10 @@ fn step(segments: &mut [RowSegment]) {
     }
 }
 
-/// Brings the segments to a row where edges begin or end, and returns the next such row.
+/// Brings the segments to a row where edges begin or end, and returns the next such row: those before it are passed by all
+/// edges.
 #[inline(never)]
-fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32) -> i32 {
+pub(crate) fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32) -> i32 {
     segments.retain_mut(|segment| {
         let Some(edge) = chains.get(segment.edge_index()) else {
             return false;
@@ -114,7 +115,7 @@ fn update(chains: &mut Chains<'_>, segments: &mut VecView<RowSegment>, row: i32)
     event_row
 }
 
-fn sort_by_left(segments: &mut [RowSegment]) {
+pub(crate) fn sort_by_left(segments: &mut [RowSegment]) {
     insertion_sort(segments, 1, |segment| segment.ends().0);
 }
 

@@ -1,0 +1,80 @@
+//! The areas of the rows of an outline whose edges are longer than a row is high.
+//!
+//! ```text
+//!        o
+//!       / \      an edge begins: all segments of the row are looked at and sorted
+//!      /   \
+//!     /     \     two edges pass: nothing is looked up or sorted, and what lies between their pixels is filled without
+//!    /       \    computing its coverage
+//!   o----.    \
+//! ```
+//!
+//! Most rows of a convex outline are of the second kind.
+//!
+//! Guarantees: bit for bit the pixels of the rows one by one, because all add the same cells.
+
+use core::ops::Range;
+
+use crate::coverage::{
+    Coverage, EmitRows,
+    area::{
+        accumulation_buffer::in_room,
+        sparse_row::{CountedEdges, RowSides, cover, cover_between},
+    },
+    edges::{
+        Rows,
+        row_segments::{sort_by_left, step, update},
+    },
+};
+
+/// Hands over the spans of all rows.
+///
+/// # Errors
+/// The first error that `emit` returns.
+#[inline(always)]
+pub(super) fn cover_all<E, C: CountedEdges>(
+    rows: Rows<'_>,
+    columns: &Range<i32>,
+    cells: &mut [i32],
+    counted: &mut C,
+    coverage: impl Fn(i32) -> Coverage,
+    emit: &mut impl EmitRows<E>,
+) -> Result<(), E> {
+    let (columns, cells) = in_room(columns, cells);
+    let (sides, mut chains, segments) = (RowSides::of(&columns), rows.chains, rows.segments);
+    segments.clear();
+    let (mut row, end) = (chains.first_row().max(rows.rows.start), rows.rows.end);
+    let mut event_row = row;
+    'rows: while row < end {
+        if row >= event_row {
+            event_row = update(&mut chains, segments, row);
+            if segments.is_empty() {
+                row = event_row;
+                continue;
+            }
+        } else if let [left, right] = segments.as_mut_slice() {
+            let (left_height, right_height) = (left.signed_height(), right.signed_height());
+            let event_row = event_row.min(end);
+            let (left_ends, right_ends) = loop {
+                let (left_ends, right_ends) = (left.step_ends(), right.step_ends());
+                if !sides.are_around_disjoint(left_ends, right_ends) {
+                    break (left_ends, right_ends);
+                }
+                let (left, right) = ((left_ends, left_height), (right_ends, right_height));
+                cover_between(left, right, &coverage, &mut emit.row(row))?;
+                row += 1;
+                if row >= event_row {
+                    continue 'rows;
+                }
+            };
+            left.go_between(left_ends);
+            right.go_between(right_ends);
+            sort_by_left(segments);
+        } else {
+            step(segments);
+        }
+        cover(segments, &columns, cells, counted, &coverage, &mut emit.row(row))?;
+        row += 1;
+    }
+    Ok(())
+}
