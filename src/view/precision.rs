@@ -4,7 +4,7 @@ use core::{fmt::Debug, num::Wrapping};
 
 use fixed::types::I2F30;
 
-use crate::geometry::{Sub4, Sub8, SubPixel};
+use crate::geometry::{HAS_DIVIDER, Sub4, Sub8, SubPixel};
 
 /// A [`SubPixel`] precision of screen vertices and edges: [`Sub4`] or [`Sub8`].
 pub trait ScreenPrecision: SubPixel + sealed::Sealed {
@@ -160,6 +160,8 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     type CarryCorrections: Copy + Debug + PartialEq + Eq + Send + Sync;
     /// Column 0 and no fraction, to initialise constants.
     const ZERO: Self;
+    /// The bits of the lower half, below those of the column.
+    const FRACTION_BITS: u32;
     /// The carry correction of an edge that needs none.
     const NO_CARRY_CORRECTION: Self::CarryCorrection;
     /// The carry corrections of two edges that need none.
@@ -171,7 +173,7 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     fn step(columns: i32, rest: i32) -> Self;
     /// The carry correction for an edge of this height, in units: what is added where the error term carries.
     fn carry_correction(height: i32) -> Self::CarryCorrection;
-    /// The sum for a column in 1/65,536 pixel, which needs no carry correction.
+    /// The sum for a column with [`FRACTION_BITS`](Self::FRACTION_BITS), which needs no carry correction.
     fn fixed(columns: i32) -> Self;
     /// The column.
     fn column(self) -> i32;
@@ -189,22 +191,28 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     fn corrected(self, carry_correction: Self::CarryCorrection) -> Self;
 }
 
+/// The bits of the lower half of an [`EdgeSum`] of 32 bits below those of an error term.
+const SPARE_BITS: u32 = <i32 as EdgeSum>::FRACTION_BITS - 16;
+
 impl EdgeSum for i32 {
     type CarryCorrection = u16;
     type CarryCorrections = u32;
     const ZERO: Self = 0;
+    /// Columns take 14 bits. The rest makes edges long that still need no carry correction, for processors that divide: others
+    /// have carry corrections always, and those take fewer instructions with 16 bits.
+    const FRACTION_BITS: u32 = if HAS_DIVIDER { 18 } else { 16 };
     const NO_CARRY_CORRECTION: u16 = 0;
     const NO_CARRY_CORRECTIONS: u32 = 0;
 
     #[inline]
     fn new(column: i32, error_term: i32) -> Self {
-        // Equals `column << 16 | !error_term & 0xffff`, for 0 <= error_term < 2^15.
-        (column << 16) + 0xffff - error_term
+        // For 16 bits equal to `column << 16 | !error_term & 0xffff`, for 0 <= error_term < 2^15.
+        (column << Self::FRACTION_BITS) + ((1 << Self::FRACTION_BITS) - 1) - (error_term << SPARE_BITS)
     }
 
     #[inline]
     fn step(columns: i32, rest: i32) -> Self {
-        (columns << 16) + rest
+        (columns << Self::FRACTION_BITS) + (rest << SPARE_BITS)
     }
 
     #[inline]
@@ -219,7 +227,7 @@ impl EdgeSum for i32 {
 
     #[inline]
     fn column(self) -> i32 {
-        self >> 16
+        self >> Self::FRACTION_BITS
     }
 
     #[inline]
@@ -244,8 +252,8 @@ impl EdgeSum for i32 {
 
     #[inline]
     fn corrected(self, carry_correction: u16) -> Self {
-        if self & 0x8000 == 0 {
-            (Wrapping(self) + Wrapping(i32::from(carry_correction))).0
+        if self & (1 << (Self::FRACTION_BITS - 1)) == 0 {
+            (Wrapping(self) + Wrapping(i32::from(carry_correction) << SPARE_BITS)).0
         } else {
             self
         }
@@ -256,6 +264,7 @@ impl EdgeSum for i64 {
     type CarryCorrection = u32;
     type CarryCorrections = u64;
     const ZERO: Self = 0;
+    const FRACTION_BITS: u32 = 32;
     const NO_CARRY_CORRECTION: u32 = 0;
     const NO_CARRY_CORRECTIONS: u64 = 0;
 

@@ -279,7 +279,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         }
         let first = row_after::<S>(sides.top.y);
         if Edge::<S>::MAY_BE_SHORT && !self.has_carry_corrections() {
-            // At most 14.
+            // At most 30.
             for reached in first..row {
                 self.next_span();
                 self.begin_row_seldom(reached + 1);
@@ -313,7 +313,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
 
     #[inline(always)]
     fn are_short(sides: &Sides) -> bool {
-        Edge::<S>::MAY_BE_SHORT && Edge::<S>::is_short(sides.right.y) && Edge::<S>::is_short(sides.left.y)
+        Edge::<S>::MAY_BE_SHORT && Edge::<S>::are_short([sides.right, sides.left])
     }
 
     /// Overwrites the slot of another face with this one.

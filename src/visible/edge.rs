@@ -17,8 +17,11 @@ pub(super) struct Edge<S: ScreenPrecision> {
     step: S::EdgeSum,
 }
 
-/// Height in units up to which an edge in 12.4 is short: it crosses 15 rows.
-const SHORT: i32 = 15 * 16;
+/// Height in units up to which an edge in 12.4 is short: it crosses 31 rows.
+const SHORT: i32 = 31 * 16;
+
+/// Width in units up to which two edges of a face are short: the third one may be twice as wide, which fits a step.
+const NARROW: i32 = 1 << 12;
 
 /// What an edge adds after a carry. Kept apart, so that two edges take no padding.
 pub(super) type CarryCorrection<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::CarryCorrection;
@@ -73,28 +76,29 @@ impl<S: ScreenPrecision> Edge<S> {
         (edge, S::EdgeSum::carry_correction(height))
     }
 
-    /// An edge of at most `SHORT` units in 12.4 from its first row on: the same columns from steps of 1/65,536 pixel.
+    /// An edge of at most [`SHORT`] units in 12.4 from its first row on: the same columns from steps of 1/2^18 pixel.
     /// `x` is that of its top, `size` is from there to its bottom, `down` is how far its first row is below its top.
     ///
-    /// An exact position is a multiple of 1/(16 height). Position and slope are rounded down, so at the 15th row the
-    /// position is too small by less than 16/65,536, which is less than 1/(16 * 240): it never falls to or below the
+    /// An exact position is a multiple of 1/(16 height). Position and slope are rounded down, so at the 31st row the
+    /// position is too small by less than 32/2^18, which is less than 1/(16 * 496): it never falls to or below the
     /// next smaller multiple, and rounding it up gives the exact column.
     #[inline]
     pub(super) fn short(x: i32, size: Position, down: i32) -> Self {
         let Position { x: width, y: height } = size;
-        // Widths are below 2^15. Rounded down, without a branch for negative ones: their complement is divided.
-        let rise = width << 16;
+        let bits = S::EdgeSum::FRACTION_BITS;
+        // Widths are below 2^13. Rounded down, without a branch for negative ones: their complement is divided.
+        let rise = width << bits;
         let negative = width >> 31;
-        // An edge without height crosses no row. A height of 8 bits, because that is not 0 by itself: otherwise the compiler
+        // An edge without height crosses no row. A height of 16 bits, because that is not 0 by itself: otherwise the compiler
         // asks whether the corners lie in the same row, which takes longer.
         let slope = ((rise ^ negative) as u32)
-            .checked_div((height as u8).into())
+            .checked_div((height as u16).into())
             .unwrap_or(0) as i32
             ^ negative;
         // An edge that crosses no row may wrap here: nobody asks for its columns.
-        let position = (x << (16 - S::FRACTION_BITS))
+        let position = (x << (bits - S::FRACTION_BITS))
             .wrapping_add(slope.wrapping_mul(down) >> S::FRACTION_BITS)
-            .wrapping_add(0xffff);
+            .wrapping_add((1 << bits) - 1);
         Self {
             sum: EdgeSum::fixed(position),
             step: EdgeSum::fixed(slope),
@@ -104,10 +108,11 @@ impl<S: ScreenPrecision> Edge<S> {
     /// Whether short edges are set up by a faster method of their own.
     pub(super) const MAY_BE_SHORT: bool = S::FRACTION_BITS == 4 && HAS_DIVIDER;
 
-    /// Whether an edge of that height is short.
-    #[inline]
-    pub(super) fn is_short(height: i32) -> bool {
-        height <= SHORT
+    /// Whether all three edges of a face are short, two of which have these sizes from its top.
+    #[inline(always)]
+    pub(super) fn are_short([one, other]: [Position; 2]) -> bool {
+        let beyond_narrow = |size: Position| (size.x + NARROW) as u32;
+        one.y <= SHORT && other.y <= SHORT && (beyond_narrow(one) | beyond_narrow(other)) < 2 * NARROW as u32
     }
 
     #[inline(never)]
@@ -225,4 +230,66 @@ fn skip(column: i32, error_term: i32, [columns, rest, height]: [i32; 3], rows: i
     // An edge that ends before the row is reached may wrap here: nobody asks for its columns.
     let column = column.wrapping_add(columns.wrapping_mul(rows));
     (column.wrapping_add(carries), error_term)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Sub4;
+
+    type S4 = Edge<Sub4>;
+
+    /// The first column whose centre is not left of an edge in a row, by exact numbers.
+    fn column(top: Position, size: Position, row: i32) -> i32 {
+        let [x, y, width, height] = [top.x, top.y, size.x, size.y].map(i64::from);
+        let numerator = x * height + width * (16 * i64::from(row) - y);
+        -(-numerator).div_euclid(16 * height) as i32
+    }
+
+    /// Steep and level edges of all short heights, with tops of all fractions of a pixel.
+    #[test]
+    fn a_short_edge_has_the_exact_columns() {
+        const { assert!(S4::MAY_BE_SHORT) };
+        let widths = [
+            0, 1, 2, 3, 15, 16, 17, 241, 495, 496, 497, 1000, 3333, 4095, 4096, 7919, 8190, 8191,
+        ];
+        for height in 1..=SHORT {
+            for (fraction, width) in (0..).zip(widths.into_iter().flat_map(|width| [width, -width])) {
+                let top = Position {
+                    x: 5 * fraction - 40 * height,
+                    y: (7 * fraction + height) % 16 - 160,
+                };
+                let size = Position { x: width, y: height };
+                let first = PixelAfter::of::<Sub4>(top);
+                let mut edge = S4::short(top.x, size, first.down);
+                for row in first.row..row_after::<Sub4>(top.y + height) {
+                    assert_eq!(edge.sum.column(), column(top, size, row), "{top:?} {size:?} {row}");
+                    edge.sum = edge.sum.plus(edge.step);
+                }
+            }
+        }
+    }
+
+    /// With carry corrections an edge has the same columns, whatever its size.
+    #[test]
+    fn a_long_edge_has_the_exact_columns() {
+        for height in [1, 2, 15, 16, 17, 240, 495, 496, 497, 511, 1023, 4097, 16_001, 32_000] {
+            for width in [0, 1, 5, 16, 77, 495, 4096, 8192, 20_011, 32_000]
+                .map(|width: i32| [width, -width])
+                .as_flattened()
+            {
+                let top = Position {
+                    x: 1234 - width / 2,
+                    y: 7,
+                };
+                let size = Position { x: *width, y: height };
+                let first = PixelAfter::of::<Sub4>(top);
+                let (mut edge, correction) = S4::new::<true>(top, size, first.row);
+                for row in first.row..row_after::<Sub4>(top.y + height) {
+                    assert_eq!(edge.sum.column(), column(top, size, row), "{top:?} {size:?} {row}");
+                    edge.sum = edge.sum.plus(edge.step).corrected(correction);
+                }
+            }
+        }
+    }
 }
