@@ -112,12 +112,12 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     }
 
     #[inline(always)]
-    fn draw_row<O: Order>(
+    fn draw_row<'e, O: Order>(
         &self,
         active: &mut ActiveListOf<L>,
         row: &mut DepthRow<'_, L::Color, O, L::Depth>,
         depth_use: DepthUse,
-        edges: impl RowEdges<<L::Color as BandColor>::Word, L::Depth>,
+        edges: impl RowEdges<'e, <L::Color as BandColor>::Word, L::Depth>,
     ) {
         if L::DRAWS_IN_PASSES && active.needs_passes() {
             active.draw_row_in_passes(self, row, edges);

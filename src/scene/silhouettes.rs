@@ -36,6 +36,7 @@ type EdgeRowOf<'c, L> = EdgeRow<'c, <<L as Look>::Color as BandColor>::Word, <L 
 impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
     /// Finds the silhouettes of a row that nothing was drawn to yet. `follows` where the last row that this was called for is
     /// the one above it.
+    #[inline(never)]
     pub(super) fn begin_silhouettes<'c, O: Order>(
         &self,
         tables: &'c mut SilhouetteTables<'_, L>,
@@ -65,7 +66,7 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
     }
 
     /// Adds the silhouettes of a face to a row. Returns whether one of them goes on below it.
-    #[inline(never)]
+    #[inline(always)]
     fn add_edges<O: Order>(
         &self,
         edges: &mut EdgeRowOf<'_, L>,
@@ -73,15 +74,16 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         node: u16,
         face: FaceEdges,
     ) -> bool {
-        let Some([a, b, c]) = self.corners_in_mesh(node) else {
+        let Some(mut corners) = self.corners_in_mesh(node) else {
             return false;
         };
         let mut goes_on = false;
-        for (number, [from, to]) in (0..).zip([[a, b], [b, c], [c, a]]) {
+        for number in 0..3 {
+            let [from, to, _] = corners;
             if let (true, is_drawn) = face.edge(number) {
-                let ends = if face.is_reversed() { [to, from] } else { [from, to] };
-                goes_on |= edges.add::<L::Precision>(row.words(), node, ends, is_drawn);
+                goes_on |= edges.add::<L::Precision>(row.words(), node, [from, to], face.is_reversed(), is_drawn);
             }
+            corners.rotate_left(1);
         }
         goes_on
     }

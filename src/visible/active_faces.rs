@@ -111,12 +111,12 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
 
     /// Draws all faces of a row.
     #[inline(never)]
-    pub(crate) fn draw_row<F, O, D>(
+    pub(crate) fn draw_row<'e, F, O, D>(
         &mut self,
         faces: &F,
         row: &mut DepthRow<'_, H::Color, O, D>,
         depth_use: DepthUse,
-        mut edges: impl RowEdges<WordOf<H>, D>,
+        mut edges: impl RowEdges<'e, WordOf<H>, D>,
     ) where
         F: FaceTable<S, D, H>,
         O: Order,
@@ -157,8 +157,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         }
         // The constant first: for other looks the compiler does not even begin with what follows.
         if F::ANTIALIASES {
-            if let Some(mut edges) = edges.columns() {
-                mix_silhouettes(faces, row, &mut edges, &InSlots(self.in_use()));
+            if let Some(edges) = edges.columns() {
+                mix_silhouettes(faces, row, edges, &InSlots(self.in_use()));
             }
         }
         if H::BLENDS {

@@ -39,11 +39,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// Draws all faces of a row, in as many passes as they take.
     #[cold]
     #[inline(never)]
-    pub(crate) fn draw_row_in_passes<F, O, D>(
+    pub(crate) fn draw_row_in_passes<'e, F, O, D>(
         &mut self,
         faces: &F,
         row: &mut DepthRow<'_, H::Color, O, D>,
-        mut edges: impl RowEdges<WordOf<H>, D>,
+        mut edges: impl RowEdges<'e, WordOf<H>, D>,
     ) where
         F: FaceTable<S, D, H>,
         O: Order,
@@ -58,11 +58,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         let (at, is_whole) = ([row.left, row.y], self.next_row == row.y + 1);
         // The constant first: for other looks the compiler does not even begin with what follows.
         if F::ANTIALIASES {
-            if let Some(mut edges) = edges.columns() {
+            if let Some(edges) = edges.columns() {
                 if is_whole {
-                    mix_silhouettes(faces, row, &mut edges, &InSlots(self.in_use()));
+                    mix_silhouettes(faces, row, edges, &InSlots(self.in_use()));
                 } else {
-                    mix_silhouettes(faces, row, &mut edges, &InTable::new(faces, at));
+                    mix_silhouettes(faces, row, edges, &InTable::new(faces, at));
                 }
             }
         }

@@ -19,12 +19,12 @@ use embedded_graphics::geometry::Point;
 use crate::{
     coverage::{AREA_BITS, Coverage},
     shade::{Planes, Shading},
-    surface::Order,
-    view::{DepthWidth, ScreenPrecision},
+    surface::{Order, PixelWord},
+    view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{
         DepthRow,
         active_face::{ActiveFace, WordOf},
-        face_table::{FaceTable, corners_from_top},
+        face_table::FaceTable,
         passes::{face_in_first_row, for_each_crossing, surroundings},
         shaded_span::run,
         silhouette_row::EdgeRow,
@@ -76,7 +76,6 @@ impl<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> Cross
 struct Surface<W, D> {
     face: u16,
     depth: D,
-    order: u16,
     /// `None` for a hole.
     word: Option<W>,
 }
@@ -93,13 +92,34 @@ struct Crowded<W, D> {
     coverage: Coverage,
     /// The word that the pixel of the band had before the row was drawn.
     before: W,
-    /// Surfaces at the centre of the pixel, and the nearest two of them.
+    /// Surfaces at the centre of the pixel, and the nearest two of them, as far as there are so many.
     surfaces: i32,
-    nearest: Option<Surface<W, D>>,
-    second: Option<Surface<W, D>>,
+    nearest: Surface<W, D>,
+    second: Surface<W, D>,
 }
 
-/// Pixels with several surfaces for which the faces of the row are looked through at once.
+impl<W: PixelWord, D: DepthWidth> Crowded<W, D> {
+    const EMPTY: Self = {
+        let none = Surface {
+            face: 0,
+            depth: D::FARTHEST,
+            word: None,
+        };
+        Self {
+            column: 0,
+            face: 0,
+            depth: D::FARTHEST,
+            whole: 0,
+            coverage: 0,
+            before: W::ZERO,
+            surfaces: 0,
+            nearest: none,
+            second: none,
+        }
+    };
+}
+
+/// Pixels with several surfaces for which the faces of the row are looked through at once, at most.
 const BATCH: usize = 8;
 
 /// Mixes all pixels of a row through which silhouettes pass, and leaves the columns empty.
@@ -119,30 +139,27 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
     if edges.is_untouched() {
         return;
     }
-    let [first, end] = edges.touched;
-    let touched = edges.columns.get_mut(first as usize..end as usize);
     let mut area = Wrapping(0);
-    let mut crowded = [None; BATCH];
-    let mut free = crowded.iter_mut();
-    for (column, edge) in (first..end).zip(touched.unwrap_or_default()) {
-        if edge.change != 0 {
-            area += edge.change;
-            edge.change = 0;
-        }
+    let (mut crowded, mut used) = ([Crowded::EMPTY; BATCH], 0);
+    let EdgeRow { columns, touched, .. } = edges;
+    touched.for_each(|index| {
+        let Some(edge) = columns.get_mut(index) else { return };
+        area += edge.change;
+        edge.change = 0;
         let Some(face) = edge.face.checked_sub(1) else {
-            continue;
+            return;
         };
         edge.face = 0;
         let part = (area.0 & ((1 << AREA_BITS) - 1)) * i32::from(Coverage::MAX) + (1 << (AREA_BITS - 1));
         let coverage = (part >> AREA_BITS) as Coverage;
         if coverage == 0 {
-            continue;
+            return;
         }
         let whole = area.0 >> AREA_BITS;
-        let (Some(pixel), Some(depth)) = (row.words.get(column as usize), row.depths.get(column as usize)) else {
-            continue;
+        let (Some(pixel), Some(depth)) = (row.words.get(index), row.depths.get(index)) else {
+            return;
         };
-        let before = O::reorder(edge.behind);
+        let (column, before) = (index as i32, O::reorder(edge.behind));
         if *depth == D::FARTHEST {
             // No surface is at the centre of the pixel.
             if let Some(word) = word_of_face(faces, face, [column, row.y], row.left, crossing) {
@@ -153,30 +170,25 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
             let word = O::reorder(*pixel);
             mix::<_, _, _, _, F>(row, column, word, before, coverage);
         } else {
-            let pixel = Crowded {
-                column,
-                face,
-                depth: edge.depth,
-                whole,
-                coverage,
-                before,
-                surfaces: 0,
-                nearest: None,
-                second: None,
-            };
-            let slot = match free.next() {
-                Some(slot) => slot,
-                None => {
-                    mix_crowded(faces, row, &mut crowded, crossing);
-                    free = crowded.iter_mut();
-                    let Some(slot) = free.next() else { continue };
-                    slot
-                }
-            };
-            *slot = Some(pixel);
+            if used == BATCH {
+                mix_crowded(faces, row, &mut crowded, crossing);
+                used = 0;
+            }
+            if let Some(slot) = crowded.get_mut(used) {
+                *slot = Crowded {
+                    column,
+                    face,
+                    depth: edge.depth,
+                    whole,
+                    coverage,
+                    before,
+                    ..Crowded::EMPTY
+                };
+                used += 1;
+            }
         }
-    }
-    mix_crowded(faces, row, &mut crowded, crossing);
+    });
+    mix_crowded(faces, row, crowded.get_mut(..used).unwrap_or_default(), crossing);
 }
 
 /// Mixes a pixel.
@@ -200,12 +212,12 @@ fn mix<S, O, D, H, F>(
     }
 }
 
-/// Mixes the pixels of a batch, and leaves it empty.
+/// Mixes the pixels of a batch, which come from left to right.
 #[inline(never)]
 fn mix_crowded<S, O, D, H, F>(
     faces: &F,
     row: &mut DepthRow<'_, H::Color, O, D>,
-    crowded: &mut [Option<Crowded<WordOf<H>, D>>; BATCH],
+    crowded: &mut [Crowded<WordOf<H>, D>],
     crossing: &impl Crossing<S, H>,
 ) where
     S: ScreenPrecision,
@@ -214,9 +226,10 @@ fn mix_crowded<S, O, D, H, F>(
     H: Shading,
     F: FaceTable<S, D, H>,
 {
-    let [Some(leftmost), ..] = crowded else { return };
-    let leftmost = leftmost.column;
-    let rightmost = crowded.iter().flatten().last().map_or(leftmost, |last| last.column);
+    let (Some(leftmost), Some(rightmost)) = (crowded.first(), crowded.last()) else {
+        return;
+    };
+    let [leftmost, rightmost] = [leftmost, rightmost].map(|pixel| pixel.column);
     let at = [row.y, row.left];
     crossing.for_each(|face| {
         let [start, end] = face.span();
@@ -224,22 +237,24 @@ fn mix_crowded<S, O, D, H, F>(
         if rightmost < start || end <= leftmost || face.is_translucent() {
             return;
         }
-        for pixel in crowded.iter_mut().map_while(Option::as_mut) {
-            if start <= pixel.column && pixel.column < end {
+        for pixel in &mut *crowded {
+            if pixel.column >= end {
+                break;
+            }
+            if pixel.column >= start {
                 add_surface(faces, pixel, face, at);
             }
         }
     });
     for pixel in crowded {
-        let Some(pixel) = pixel.take() else { return };
-        if let Some((word, behind)) = mixed(faces, &pixel, at, crossing) {
+        if let Some((word, behind)) = mixed(faces, pixel, at, crossing) {
             mix::<_, _, _, _, F>(row, pixel.column, word, behind, pixel.coverage);
         }
     }
 }
 
 /// Adds a face that is at the centre of a pixel to its surfaces.
-#[inline]
+#[inline(always)]
 fn add_surface<S, D, H, F>(faces: &F, pixel: &mut Crowded<WordOf<H>, D>, face: &ActiveFace<S, H>, [y, left]: [i32; 2])
 where
     S: ScreenPrecision,
@@ -248,18 +263,17 @@ where
     F: FaceTable<S, D, H>,
 {
     let at = [pixel.column, y];
-    pixel.surfaces += 1;
     let surface = Surface {
         face: face.node,
         depth: D::from_interpolated(face.plane.at(pixel.column, y).0),
-        order: faces.order(face.node),
         word: word_of(faces, face, at, left),
     };
-    if is_before(&surface, pixel.nearest.as_ref()) {
-        pixel.second = pixel.nearest.replace(surface);
-    } else if is_before(&surface, pixel.second.as_ref()) {
-        pixel.second = Some(surface);
+    if pixel.surfaces == 0 || is_before(faces, &surface, &pixel.nearest) {
+        (pixel.nearest, pixel.second) = (surface, pixel.nearest);
+    } else if pixel.surfaces == 1 || is_before(faces, &surface, &pixel.second) {
+        pixel.second = surface;
     }
+    pixel.surfaces += 1;
 }
 
 /// Returns the two words that are mixed in a pixel with several surfaces: that of the surface whose silhouette passes through
@@ -277,13 +291,18 @@ where
     H: Shading,
     F: FaceTable<S, D, H>,
 {
-    let nearest = pixel.nearest.as_ref()?;
+    let Crowded { nearest, second, .. } = pixel;
+    if pixel.surfaces == 0 {
+        return None;
+    }
     if pixel.surfaces > pixel.whole {
         // The surface that ends here is at the centre of the pixel.
-        let behind = match &pixel.second {
-            Some(second) if !ends(faces, (pixel.face, pixel.depth), nearest, second) => return None,
-            Some(second) => second.word.unwrap_or(pixel.before),
-            None => pixel.before,
+        let behind = if pixel.surfaces == 1 {
+            pixel.before
+        } else if ends(faces, (pixel.face, pixel.depth), nearest, second) {
+            second.word.unwrap_or(pixel.before)
+        } else {
+            return None;
         };
         return nearest.word.map(|word| (word, behind));
     }
@@ -306,12 +325,11 @@ fn ends<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     if depth >= nearest.depth || depth <= second.depth {
         return depth >= nearest.depth;
     }
-    let is_next_to = |surface: &Surface<WordOf<H>, D>| {
-        let corners = [face, surface.face].map(|face| corners_from_top(faces, face));
-        match corners {
-            [Some(corners), Some(others)] => corners.into_iter().any(|corner| others.contains(&corner)),
-            _ => false,
-        }
+    let corners = |face: u16| corners_of(faces, face);
+    let of_edge = corners(face);
+    let is_next_to = |surface: &Surface<WordOf<H>, D>| match (of_edge, corners(surface.face)) {
+        (Some(of_edge), Some(corners)) => of_edge.into_iter().any(|corner| corners.contains(&corner)),
+        _ => false,
     };
     match (is_next_to(nearest), is_next_to(second)) {
         (true, false) => true,
@@ -323,11 +341,23 @@ fn ends<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     }
 }
 
+/// The corners of a face, clockwise.
+#[inline(never)]
+fn corners_of<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    node: u16,
+) -> Option<[&ScreenVertex<S, D>; 3]> {
+    faces.face(node).map(|(corners, _)| corners)
+}
+
 /// Whether a surface is in front of another one: nearer, or as near and first in the order of the models.
-fn is_before<W, D: DepthWidth>(surface: &Surface<W, D>, other: Option<&Surface<W, D>>) -> bool {
-    other.is_none_or(|other| {
-        surface.depth > other.depth || (surface.depth == other.depth && surface.order < other.order)
-    })
+#[inline]
+fn is_before<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    surface: &Surface<WordOf<H>, D>,
+    other: &Surface<WordOf<H>, D>,
+) -> bool {
+    surface.depth > other.depth || (surface.depth == other.depth && faces.order(surface.face) < faces.order(other.face))
 }
 
 /// The word of a face at a pixel of the row that it covers, or that is beside it: attributes are at most those of its corners.

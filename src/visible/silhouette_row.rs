@@ -201,37 +201,94 @@ impl FaceEdges {
     }
 }
 
-/// The columns of a row, and those of them through which silhouettes pass: from the first to the one after the last.
+/// The columns of a row, and those of them that silhouettes touch.
 pub(crate) struct EdgeRow<'c, W, D> {
     pub(super) columns: &'c mut [EdgeColumn<W, D>],
-    pub(super) touched: [i32; 2],
+    pub(super) touched: Touched,
     /// The row in the picture, and its first column.
     y: i32,
     left: i32,
 }
 
-/// What a row that is drawn knows of the silhouettes in it: nothing (`()`), or their columns.
-pub(crate) trait RowEdges<W, D> {
-    fn columns(&mut self) -> Option<EdgeRow<'_, W, D>>;
+/// Which columns of a row are touched: a bit for each of them, the first one on top, or in a row of more than 256 a
+/// bit for each 2^`shift` of them.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct Touched {
+    words: [u32; Self::WORDS],
+    shift: u32,
+    is_empty: bool,
 }
 
-impl<W, D> RowEdges<W, D> for () {
+impl Touched {
+    const WORDS: usize = 8;
+
+    /// No column of a row of so many.
+    fn none(width: usize) -> Self {
+        let mut shift = 0;
+        while width.saturating_sub(1) >> shift >= 32 * Self::WORDS {
+            shift += 1;
+        }
+        Self {
+            words: [0; Self::WORDS],
+            shift,
+            is_empty: true,
+        }
+    }
+
+    /// Adds the columns from the first to the last.
     #[inline(always)]
-    fn columns(&mut self) -> Option<EdgeRow<'_, W, D>> {
+    fn add(&mut self, [first, last]: [i32; 2]) {
+        self.is_empty = false;
+        let [first, last] = [first, last].map(|column| column as usize >> self.shift);
+        let mut bits = u32::MAX >> (first % 32);
+        for word in first / 32..last / 32 {
+            self.set(word, bits);
+            bits = u32::MAX;
+        }
+        let up_to_last = (i32::MIN >> (last % 32)) as u32;
+        self.set(last / 32, bits & up_to_last);
+    }
+
+    #[inline(always)]
+    fn set(&mut self, word: usize, bits: u32) {
+        if let Some(word) = self.words.get_mut(word) {
+            *word |= bits;
+        }
+    }
+
+    /// Hands over the touched columns from left to right, in rows with more columns than bits also others, and columns that
+    /// the row does not have.
+    #[inline(always)]
+    pub(super) fn for_each(&self, mut visit: impl FnMut(usize)) {
+        for (index, mut bits) in (0..).zip(self.words) {
+            while bits != 0 {
+                let bit = leading_zeros(bits);
+                bits ^= 1 << 31 >> bit;
+                let first = (32 * index + bit as usize) << self.shift;
+                for column in first..first + (1 << self.shift) {
+                    visit(column);
+                }
+            }
+        }
+    }
+}
+
+/// What a row that is drawn knows of the silhouettes in it: nothing (`()`), or their columns.
+pub(crate) trait RowEdges<'c, W, D> {
+    fn columns(&mut self) -> Option<&mut EdgeRow<'c, W, D>>;
+}
+
+impl<'c, W, D> RowEdges<'c, W, D> for () {
+    #[inline(always)]
+    fn columns(&mut self) -> Option<&mut EdgeRow<'c, W, D>> {
         None
     }
 }
 
-impl<W, D> RowEdges<W, D> for EdgeRow<'_, W, D> {
+impl<'c, W, D> RowEdges<'c, W, D> for EdgeRow<'c, W, D> {
     #[inline(always)]
-    fn columns(&mut self) -> Option<EdgeRow<'_, W, D>> {
-        let Self { touched, y, left, .. } = *self;
-        Some(EdgeRow {
-            columns: self.columns,
-            touched,
-            y,
-            left,
-        })
+    fn columns(&mut self) -> Option<&mut Self> {
+        Some(self)
     }
 }
 
@@ -240,8 +297,10 @@ impl<W, D> RowEdges<W, D> for EdgeRow<'_, W, D> {
 struct Part {
     /// Left and right end in 1/8192 pixel, from the left side of the row.
     ends: [i32; 2],
-    /// Height of the part in 1/16384 pixel, negative where the edge goes down.
+    /// Height of the part in 1/16384 pixel.
     height: i32,
+    /// 1 where the edge goes up, -1 where it goes down.
+    sign: i32,
 }
 
 impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
@@ -249,9 +308,10 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     /// columns than that, those on the right have no silhouettes.
     pub(crate) fn new(columns: &'c mut [EdgeColumn<W, D>], width: usize, [left, y]: [i32; 2]) -> Self {
         let (columns, _) = columns.split_at_mut(width.min(columns.len()));
+        let touched = Touched::none(columns.len());
         Self {
             columns,
-            touched: [i32::MAX, i32::MIN],
+            touched,
             y,
             left,
         }
@@ -260,32 +320,33 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     /// Whether no silhouette passes through the row.
     #[inline(always)]
     pub(super) fn is_untouched(&self) -> bool {
-        let [first, end] = self.touched;
-        first >= end
+        self.touched.is_empty
     }
 
-    /// Adds an edge of a face, clockwise; `words` are the pixels of the row, which nothing of the scene was drawn to yet. An
-    /// edge that is not drawn counts in the number of surfaces alone. Returns whether the edge goes on below the row.
+    /// Adds an edge of a face, clockwise, or the other way round where it is reversed; `words` are the pixels of the row, which
+    /// nothing of the scene was drawn to yet. An edge that is not drawn counts in the number of surfaces alone. Returns whether
+    /// the edge goes on below the row.
+    #[inline(always)]
     pub(crate) fn add<S: ScreenPrecision>(
         &mut self,
         words: &[W],
         face: u16,
-        ends: [&ScreenVertex<S, D>; 2],
+        [from, to]: [&ScreenVertex<S, D>; 2],
+        is_reversed: bool,
         is_drawn: bool,
     ) -> bool {
         let one = 1 << S::FRACTION_BITS;
         let top = (self.y << S::FRACTION_BITS) - one / 2;
-        let [from, to] = ends;
         let goes_up = to.y_units() < from.y_units();
         let [upper, lower] = if goes_up { [to, from] } else { [from, to] };
         let (first, last) = (upper.y_units(), lower.y_units());
         let [start, end] = [first.max(top), last.min(top + one)];
         // A level edge on the boundary of two rows passes through no pixel.
         if start < end || (first == last && top < first && first < top + one) {
-            let height = (end - start) << (COVER_BITS - S::FRACTION_BITS);
             let part = Part {
                 ends: self.ends::<S>([upper, lower], [start, end]),
-                height: if goes_up { height } else { -height },
+                height: (end - start) << (COVER_BITS - S::FRACTION_BITS),
+                sign: if goes_up == is_reversed { -1 } else { 1 },
             };
             if let Some(columns) = self.add_part(&part) {
                 if is_drawn {
@@ -325,20 +386,16 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     /// pixel of the row.
     #[inline]
     fn add_part(&mut self, part: &Part) -> Option<[i32; 2]> {
-        let [left, right] = part.ends;
+        let [_, right] = part.ends;
         let [first, last] = part.ends.map(|x| x >> X_BITS);
         let width = self.columns.len() as i32;
         if first >= width {
             return None;
         }
-        let [touched_first, touched_last] = self.touched;
         // The cell after the last column gets a change, too.
-        self.touched = [
-            touched_first.min(first.max(0)),
-            touched_last.max((last + 2).max(1).min(width)),
-        ];
+        self.touched.add([first.max(0), (last + 1).max(0).min(width - 1)]);
         if part.height != 0 {
-            self.add_cells([left, right], part.height, width);
+            self.add_cells(part, width);
         }
         // One that ends at the boundary of two pixels passes through the left one alone.
         let last = if right & (X_ONE - 1) == 0 { last - 1 } else { last };
@@ -348,9 +405,10 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     /// Adds the cells of a part of an edge: those of one that goes down are those of one that goes up, the other way round, so
     /// that both cancel out to the bit.
     #[inline]
-    fn add_cells(&mut self, ends: [i32; 2], height: i32, width: i32) {
+    fn add_cells(&mut self, part: &Part, width: i32) {
         let columns = &mut *self.columns;
-        let sign = Wrapping(height.signum());
+        let Part { ends, height, sign } = *part;
+        let (sign, [start, end]) = (Wrapping(sign), ends);
         let mut add = |cell: Cell| {
             let mut change = |column: i32, by: Wrapping<i32>| {
                 if let Some(column) = columns.get_mut(column as usize) {
@@ -360,7 +418,6 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
             change(cell.x, cell.cover - cell.area);
             change(cell.x + 1, cell.area);
         };
-        let ([start, end], height) = (ends, height.abs());
         match (end >> X_BITS) - (start >> X_BITS) {
             0 if start >= 0 => add(Cell::within(ends, height)),
             1 if start >= 0 => Cell::in_two(ends, height).into_iter().for_each(add),
@@ -371,7 +428,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     /// Notes that an edge of a face passes through the columns from the first to the last, and what is in them.
     #[inline]
     fn mark(&mut self, words: &[W], [first, last]: [i32; 2], face: u16, [mut depth, step]: [i32; 2]) {
-        let columns = first as usize..=last as usize;
+        let columns = first as usize..last as usize + 1;
         let (Some(columns), Some(words)) = (self.columns.get_mut(columns.clone()), words.get(columns)) else {
             return;
         };
@@ -422,5 +479,49 @@ const SHORT: i32 = 16;
 #[cold]
 #[inline(never)]
 fn scaled(change: i32, part: i32, whole: i32) -> i32 {
-    divide_long(i64::from(change) * i64::from(part), whole).0
+    match change.checked_mul(part) {
+        Some(product) => divide_floor_large(product, whole).0,
+        None => divide_long(i64::from(change) * i64::from(part), whole).0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::{collections::BTreeSet, vec::Vec};
+
+    use super::*;
+
+    /// Ranges of columns in rows of all widths, against a set of them.
+    #[test]
+    fn touched_columns_come_from_left_to_right() {
+        for width in [1, 31, 32, 33, 128, 255, 256, 257, 512, 513, 2_000, 8_191] {
+            let (mut touched, mut expected) = (Touched::none(width), BTreeSet::new());
+            assert!(touched.is_empty);
+            for step in 0..40_usize {
+                let first = step * step * 37 % width;
+                let last = (first + step % 7 * step).min(width - 1);
+                touched.add([first, last].map(|column| column as i32));
+                expected.extend(first..=last);
+                let mut visited = Vec::new();
+                touched.for_each(|column| visited.push(column));
+                assert!(
+                    visited.is_sorted_by(|column, next| column < next),
+                    "{width}: {visited:?}"
+                );
+                if width <= 256 {
+                    assert!(visited.iter().eq(&expected), "{width}: {visited:?}, not {expected:?}");
+                }
+                // What is around a column, too, in a block of at most one 256th of the row, rounded up to a power of two.
+                let block = width.div_ceil(256).next_power_of_two();
+                let blocks = expected.iter().map(|column| column / block).collect::<BTreeSet<_>>();
+                assert!(
+                    visited.iter().all(|column| blocks.contains(&(column / block))),
+                    "{width}"
+                );
+                let visited = visited.into_iter().collect();
+                assert!(expected.is_subset(&visited), "{width}");
+            }
+            assert!(!touched.is_empty);
+        }
+    }
 }
