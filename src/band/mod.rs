@@ -16,6 +16,7 @@ pub use crate::surface::{BandColor, Generic, Order, Span, Target};
 #[doc(no_inline)]
 pub use crate::surface::{BigEndian, LittleEndian};
 pub(crate) use blending::InLinearLight;
+pub(crate) use multisampling::Multisampled;
 pub(crate) use picture_loop::SceneResult;
 pub use picture_loop::{
     BytesSink, DisplaySink, Dithered, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,

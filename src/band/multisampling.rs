@@ -5,8 +5,9 @@
 //! end a pixel is the mean of its samples, each channel rounded once (ties up), and a pixel whose samples are alike keeps
 //! that colour, to the bit. Of `BinaryColor` an ordered threshold takes one or the other.
 //!
-//! For shapes: a [scene](crate::scene) has one depth a pixel and draws into a band only, before (its pixels are then what
-//! the samples begin as) or afterwards. [`Supersampling`](crate::band::Supersampling) smooths it.
+//! A [scene](crate::scene) whose look is [`Multisampled`](crate::scene::Multisampled) draws with a depth a sample
+//! ([`Prepared::draw_samples`](crate::scene::Prepared::draw_samples)); any other one has one depth a pixel and draws into the
+//! band, before (its pixels are then what the samples begin as) or afterwards.
 //!
 //! Memory: `SAMPLES` words a pixel beside the band's own; for 240 pixels of 16 bits 1,920, 3,840 or 7,680 bytes with 4, 8
 //! or 16 samples. Shapes take the row memory of their pattern, as any coverage does.
@@ -31,7 +32,7 @@ use crate::{
         samples::mean::add_levels,
     },
     surface::{
-        BatchTarget, LineSteps, Order, PixelWord, Span, Target,
+        BandColor, BatchTarget, LineSteps, Order, PixelWord, Span, Target,
         contiguous::{ContiguousRows, skip},
         not_constant,
     },
@@ -93,11 +94,13 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
             window: self.window,
             stride: self.stride,
             words,
+            pixels: self.words,
             color: PhantomData,
         };
         let result = draw(&mut target);
+        let Multisampled { words, pixels, .. } = target;
         let (top_left, stride) = (Point::new(self.window.left, self.window.top), self.stride.max(1));
-        let pixels = self.words.iter_mut().zip(target.words.chunks_exact(P::SAMPLES));
+        let pixels = pixels.iter_mut().zip(words.chunks_exact(P::SAMPLES));
         for (index, (word, pixel)) in pixels.enumerate() {
             // Only colours without levels between them ask for the position.
             let position = || top_left + Point::new((index % stride) as i32, (index / stride) as i32);
@@ -133,12 +136,39 @@ pub struct Multisampled<'s, C: ChannelColor, O: Order, P> {
     stride: usize,
     /// The colours of all samples, those of a pixel one after the other.
     words: &'s mut [C::Word],
+    /// The pixels of the band, which are written when all is drawn: memory to draw in until then.
+    pixels: &'s mut [C::Word],
     color: PhantomData<(O, P)>,
 }
+
+/// A row of pixels to draw in, and their samples, those of a pixel one after the other.
+type RowOfSamples<'r, C, O> = (Band<'r, C, O>, &'r mut [<C as BandColor>::Word]);
 
 impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
     /// The mask of all samples, of which there is at least one.
     const ALL: u32 = u32::MAX >> (32 - P::SAMPLES);
+
+    /// A row of pixels that may be drawn over, as a band, and the samples of these pixels; `None` where there is no such row.
+    pub(crate) fn row_of_samples(&mut self, y: i32) -> Option<RowOfSamples<'_, C, O>> {
+        let window = Window {
+            top: y,
+            bottom: y.checked_add(1)?,
+            ..self.window
+        };
+        if !self.window.contains(Point::new(window.left, y)) {
+            return None;
+        }
+        let row = offset_from(self.window.top, y) as usize * self.stride;
+        let pixels = self.pixels.get_mut(row..row + self.stride)?;
+        let samples = self.words.get_mut(row * P::SAMPLES..(row + self.stride) * P::SAMPLES)?;
+        let band = Band {
+            window,
+            stride: self.stride,
+            words: pixels,
+            order: PhantomData,
+        };
+        Some((band, samples))
+    }
 
     /// The samples of the pixels of a span that [`Span::clipped_to`] the window returned; of another one, some or none.
     #[inline]

@@ -90,7 +90,7 @@ impl<L: Look> Preparation<'_, L> {
         for pair in fan.windows(2).rev() {
             let [second, third] = pair else { continue };
             let corners = [apex.position, second.position, third.position].map(inside);
-            if let Some(rows) = visible_rows(corners.each_ref(), &self.viewport) {
+            if let Some(rows) = visible_rows::<L>(corners.each_ref(), &self.viewport) {
                 self.add_clipped_face(&corners, order, rows);
                 self.set_attributes_of_last([apex.attributes, second.attributes, third.attributes]);
             }

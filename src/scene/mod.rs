@@ -66,7 +66,9 @@ pub use crate::{
 };
 pub use counters::Counters;
 pub use frame::Frame;
-pub use look::{Antialiased, Counted, Deep, DoubleSided, Fine, Look, OnePass, Orthographic, Unhurried, Whole};
+pub use look::{
+    Antialiased, Counted, Deep, DoubleSided, Fine, Look, Multisampled, OnePass, Orthographic, Unhurried, Whole,
+};
 pub use memory::Memory;
 pub use model::Model;
 pub use prepared::Prepared;

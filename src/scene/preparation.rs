@@ -1,13 +1,13 @@
 //! A frame while it is prepared, and the row from which on a face is drawn.
 
 use crate::{
-    geometry::{Window, offset_from},
+    geometry::{SubPixel, Window, offset_from},
     scene::{
         Look,
         frame::{RowStart, Tables},
         lens::{ProjectionOf, ScreenVertexOf},
     },
-    view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
+    view::{Position, ScreenPrecision, ScreenVertex},
     visible::NONE,
 };
 
@@ -20,40 +20,44 @@ pub(super) struct Preparation<'f, L: Look> {
     pub(super) vertices_needed: usize,
 }
 
-/// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels: the first, and
-/// the one after the last, which may lie below the viewport.
+/// The rows of the viewport, from its top, in which a face that is seen from the front may cover pixels, or samples of them in
+/// a look with several: the first, and the one after the last, which may lie below the viewport.
 #[inline]
-pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
-    corners: [&ScreenVertex<S, D>; 3],
-    viewport: &Window,
-) -> Option<(usize, usize)> {
+pub(super) fn visible_rows<L: Look>(corners: [&ScreenVertexOf<L>; 3], viewport: &Window) -> Option<(usize, usize)> {
+    let fraction_bits = L::Precision::FRACTION_BITS;
     let [a, b, c] = corners;
     let (a, b, c) = (a.position(), b.position(), c.position());
-    if !is_front::<S>(a, b, c) {
+    if !is_front::<L::Precision>(a, b, c) {
         return None;
     }
-    let unit = 1i32 << S::FRACTION_BITS;
+    let unit = 1i32 << fraction_bits;
+    // How far samples are right of the centre of their pixel and below it, at most, and how far left of it and above it.
+    let [below, above] = if L::IS_MULTISAMPLED {
+        [unit / 2 - 1, unit / 2]
+    } else {
+        [0; 2]
+    };
     // From the viewport's edge to the coordinate: rounded down to whole pixels, that is the first row or column whose
     // centre is at the coordinate or after it.
-    let from = |edge: i32, units: i32| units + (unit - 1) - (edge << S::FRACTION_BITS);
+    let from = |edge: i32, units: i32| units + (unit - 1) - (edge << fraction_bits);
     let (first, second, third) = (
         from(viewport.top, a.y),
         from(viewport.top, b.y),
         from(viewport.top, c.y),
     );
-    let top = (first.min(second).min(third) >> S::FRACTION_BITS).max(0);
-    let bottom = first.max(second).max(third) >> S::FRACTION_BITS;
+    let top = ((first.min(second).min(third) - below) >> fraction_bits).max(0);
+    let bottom = (first.max(second).max(third) + above) >> fraction_bits;
     if top >= bottom || top >= viewport.bottom - viewport.top {
         return None;
     }
     let (one, other) = (from(viewport.left, a.x), from(viewport.left, b.x));
-    let width = (viewport.right - viewport.left) << S::FRACTION_BITS;
+    let width = (viewport.right - viewport.left) << fraction_bits;
     // Two corners to either side of a column's centre, and one of them has columns of the viewport on either side.
-    if (one ^ other) as u32 >= unit as u32 && offset_from(unit, one) < offset_from(unit, width) {
+    if !L::IS_MULTISAMPLED && (one ^ other) as u32 >= unit as u32 && offset_from(unit, one) < offset_from(unit, width) {
         return Some((top as usize, bottom as usize));
     }
-    let left = (one.min(other).min(from(viewport.left, c.x)) >> S::FRACTION_BITS).max(0);
-    let right = one.max(other).max(from(viewport.left, c.x)).min(width) >> S::FRACTION_BITS;
+    let left = ((one.min(other).min(from(viewport.left, c.x)) - below) >> fraction_bits).max(0);
+    let right = (one.max(other).max(from(viewport.left, c.x)) + above).min(width) >> fraction_bits;
     (left < right).then_some((top as usize, bottom as usize))
 }
 
@@ -62,8 +66,8 @@ pub(super) fn visible_rows<S: ScreenPrecision, D: DepthWidth>(
 #[inline]
 pub(super) fn rows_of_face<L: Look>(corners: [&ScreenVertexOf<L>; 3], viewport: &Window) -> Option<(usize, usize)> {
     let [a, b, c] = corners;
-    match visible_rows(corners, viewport) {
-        None if L::DRAWS_BACKS => visible_rows([a, c, b], viewport),
+    match visible_rows::<L>(corners, viewport) {
+        None if L::DRAWS_BACKS => visible_rows::<L>([a, c, b], viewport),
         rows => rows,
     }
 }

@@ -83,7 +83,7 @@ impl<L: Look> Frame<'_, L> {
             check(most_vertices, TooSmall::Vertices(vertices_needed))?;
         }
         let most_active = RowStart::most_active(self.tables.rows);
-        if L::DRAWS_IN_PASSES {
+        if L::DRAWS_IN_PASSES && !L::IS_MULTISAMPLED {
             check(self.active.capacity(), TooSmall::ActiveFaces(most_active.min(1)))?;
             self.active.restart_passes(most_active);
         } else {

@@ -3,7 +3,8 @@
 use core::{cell::Cell, ops::Range};
 
 use crate::{
-    band::Band,
+    band::{Band, Multisampled},
+    coverage::SamplePattern,
     geometry::InputError,
     mesh::Edge,
     scene::{
@@ -16,7 +17,7 @@ use crate::{
         prepared_faces::{PreparedFaces, RowMemory},
         silhouette_tables::SilhouetteTables,
     },
-    shade::InstructionSet,
+    shade::{ChannelColor, InstructionSet},
     surface::Order,
     view::Camera,
     visible::{DepthRow, DepthUse},
@@ -161,6 +162,64 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
             silhouettes: &mut self.silhouettes,
         };
         self.faces.draw(rows, band, depth_use, more);
+    }
+
+    /// Draws the rows of a band into the samples of its pixels, which [`Band::multisample`] hands over, in a look that is
+    /// [`Multisampled`](crate::scene::Multisampled). Shapes before and after it keep painter's order, sample by sample.
+    ///
+    /// A sample is covered by the rule of the centre of a pixel (on a top or left edge it is, on a bottom or right edge it is
+    /// not), exactly: faces that share an edge share no sample and leave none out. Each sample has a depth, that of the face
+    /// where the sample is, and shows the nearest face; of equally near ones the first in the order of models. A face has one
+    /// colour in all samples of a pixel if nothing varies over it; otherwise each sample is shaded where it is, not at the
+    /// centre of the pixel, which may be outside of the face.
+    ///
+    /// Positions of samples are rounded down to the units of the look: those of 4 and 8 rooks and of grids are multiples of 1/16
+    /// pixel, those of 16 rooks are 1/32 pixel higher and farther left in looks that are not [`Fine`](crate::scene::Fine).
+    ///
+    /// Bands may come in any order; from top to bottom the list of faces goes on. Cost: each row is drawn once a sample, one
+    /// after the other with the same row of depths, and each face of the row is set up for that.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     coverage::{Rooks, SamplePattern},
+    ///     scene::{Camera, FaceSet, Memory, Model, Multisampled},
+    /// };
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// // One unit is 1/32 pixel there: the left side is 1/4 pixel right of the middle of the picture.
+    /// let mesh = FaceSet::new(&[[8, -400, 1024], [8, 400, 1024], [800, 0, 1024]], &[[0, 1, 2]])?;
+    /// let models = [Model::new(mesh, &[Gray8::WHITE])?];
+    /// let mut memory = Memory::<Multisampled<Gray8>, 3, 1, 64, 64>::new();
+    /// let mut scene = memory.prepare(&camera, &models)?;
+    ///
+    /// // A band of one row.
+    /// let (mut row, mut samples) = ([0; 64], [0; 64 * Rooks::<4>::SAMPLES]);
+    /// let mut band = Band::<Gray8>::new(Rectangle::new(Point::new(0, 32), Size::new(64, 1)), &mut row)?;
+    /// band.multisample(Rooks::<4>, &mut samples, |samples| scene.draw_samples(samples))?;
+    /// // Three of four samples are right of the side.
+    /// assert_eq!(row[31..34], [0, 191, 255]);
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn draw_samples<O: Order, P: SamplePattern>(&mut self, samples: &mut Multisampled<'_, L::Color, O, P>)
+    where
+        L::Color: ChannelColor,
+    {
+        const {
+            assert!(
+                L::IS_MULTISAMPLED,
+                "only looks that are `Multisampled` are drawn into samples"
+            )
+        }
+        let rows = RowMemory {
+            active: self.active,
+            depths: self.depths,
+            silhouettes: &mut self.silhouettes,
+        };
+        self.faces.draw_samples(rows, samples);
     }
 
     /// How many rows [`draw`](Self::draw) has drawn without depths since the frame was prepared, because no face overlapped

@@ -6,9 +6,9 @@ use core::{cell::Cell, fmt};
 use embedded_graphics::geometry::Point;
 
 use crate::{
-    band::Band,
-    coverage::Coverage,
-    geometry::{Window, offset_from},
+    band::{Band, Multisampled},
+    coverage::{Coverage, SamplePattern},
+    geometry::{SubPixel, Window, offset_from},
     scene::{
         Look, Model,
         counters::Counting,
@@ -18,9 +18,9 @@ use crate::{
         preparation::clockwise,
         silhouette_tables::SilhouetteTables,
     },
-    shade::{Planes, Shading},
+    shade::{ChannelColor, Planes, Shading},
     surface::{BandColor, Order, Target},
-    view::{Camera, ScreenVertex},
+    view::{Camera, Position, ScreenVertex},
     visible::{ColoredFace, Count, DepthRow, DepthUse, FaceTable, NONE, RowEdges, Silhouettes},
 };
 
@@ -100,7 +100,9 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
         for y in window.top..window.bottom {
             if let Some(mut row) = DepthRow::new(band, &window, y, depths) {
                 self.counting.count().row();
-                if L::Silhouettes::BY_AREA {
+                if L::IS_MULTISAMPLED {
+                    self.draw_centres(active, &mut row);
+                } else if L::Silhouettes::BY_AREA {
                     let edges = self.begin_silhouettes(silhouettes, &row, active.is_at(&row));
                     self.draw_row(active, &mut row, depth_use, edges);
                 } else {
@@ -108,6 +110,63 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
                 }
                 more(&mut row);
             }
+        }
+    }
+
+    /// Draws a row with one sample a pixel, in a look that may have several.
+    fn draw_centres<O: Order>(&self, active: &mut ActiveListOf<L>, row: &mut DepthRow<'_, L::Color, O, L::Depth>) {
+        if active.begin_samples(self, row) {
+            active.draw_sample(self, row, Position { x: 0, y: 0 });
+        } else {
+            row.clear_depths();
+        }
+    }
+
+    /// Draws the rows of a band into the samples of its pixels, as they were prepared for a viewport.
+    pub(super) fn draw_samples<O: Order, P: SamplePattern>(
+        &self,
+        rows: RowMemory<'_, '_, L>,
+        target: &mut Multisampled<'_, L::Color, O, P>,
+    ) where
+        L::Color: ChannelColor,
+    {
+        let RowMemory { active, depths, .. } = rows;
+        let whole = target.window();
+        let window = self.viewport.intersection(&whole);
+        if window.width() == 0 {
+            return;
+        }
+        for y in window.top..window.bottom {
+            let Some((mut band, samples)) = target.row_of_samples(y) else {
+                continue;
+            };
+            let first = offset_from(whole.left, window.left) as usize * P::SAMPLES;
+            let Some(samples) = samples.get_mut(first..) else {
+                continue;
+            };
+            if let Some(mut row) = DepthRow::new(&mut band, &window, y, depths) {
+                self.counting.count().row();
+                if active.begin_samples(self, &row) {
+                    self.draw_row_of_samples::<O, P>(active, &mut row, samples);
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn draw_row_of_samples<O: Order, P: SamplePattern>(
+        &self,
+        active: &mut ActiveListOf<L>,
+        row: &mut DepthRow<'_, L::Color, O, L::Depth>,
+        samples: &mut [<L::Color as BandColor>::Word],
+    ) {
+        for (index, position) in P::positions().enumerate() {
+            let sample = [index, P::SAMPLES];
+            if L::Shading::BLENDS {
+                row.load_samples(samples, sample);
+            }
+            let columns = active.draw_sample(self, row, from_centre::<L>(position));
+            row.store_samples(columns, samples, sample);
         }
     }
 
@@ -354,6 +413,17 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         position: Point,
     ) -> <L::Color as BandColor>::Word {
         L::Silhouettes::mix(fragment, behind, coverage, position)
+    }
+}
+
+/// How far a sample is right of the centre of its pixel and below it, in units of a look, rounded down: from its column and row
+/// in 1/256 pixel.
+fn from_centre<L: Look>([column, row]: [i32; 2]) -> Position {
+    let bits = L::Precision::FRACTION_BITS;
+    let units = |part: i32| ((part << bits) >> 8) - (1 << bits) / 2;
+    Position {
+        x: units(column),
+        y: units(row),
     }
 }
 

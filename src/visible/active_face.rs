@@ -118,12 +118,14 @@ const EDGES: LeftOver = 2;
 
 /// What a face is set up for.
 #[derive(Debug)]
-pub(super) struct Surroundings<'v> {
+pub(super) struct Surroundings<'v, P = ()> {
     pub(super) viewport: &'v Window,
     /// The first column of the row that is drawn, from which columns count.
     pub(super) first_column: i32,
     /// Whether the face needs no depth plane.
     pub(super) without_plane: bool,
+    /// Where in each pixel it is seen.
+    pub(super) sample: P,
 }
 
 impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
@@ -288,6 +290,41 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             self.set_up_long_edges(sides, row);
         }
         true
+    }
+
+    /// Sets the span up for one row alone, by the sides of the face. It has no columns where the face does not cross the row.
+    #[inline]
+    pub(super) fn set_up_span(&mut self, sides: &Sides, row: i32) {
+        let Sides { top, right, left } = *sides;
+        let rows = EdgeRows::of::<S>(sides);
+        if row < row_after::<S>(top.y) || row >= rows.bottom {
+            self.edges = EdgePair::EMPTY;
+            return;
+        }
+        let (mut left_edge, mut right_edge) = ((top, left), (top, right));
+        if row >= rows.middle {
+            let (middle, bottom) = rows.third_edge(sides);
+            let third = (top.plus(middle), bottom.minus(middle));
+            if rows.third_side == ThirdSide::Left {
+                left_edge = third;
+            } else {
+                right_edge = third;
+            }
+        }
+        self.edges.set_left(Edge::in_row(left_edge.0, left_edge.1, row));
+        self.edges.set_right(Edge::in_row(right_edge.0, right_edge.1, row));
+    }
+
+    /// The row after the last one.
+    #[inline]
+    pub(super) fn row_after_last(&self) -> i32 {
+        self.bottom.row()
+    }
+
+    /// Sets the row after the last one, of a face whose span is set up for each row.
+    #[inline]
+    pub(super) fn end_at(&mut self, row: i32) {
+        self.bottom = Bottom::new(row, ThirdSide::Right);
     }
 
     /// The columns of the face's span in the current row.

@@ -50,7 +50,7 @@ pub(crate) struct ActiveFaces<F: ?Sized> {
     /// Head of the list of free slots, which ends at the first slot that was never used.
     pub(super) free: u16,
     /// Head of the list of faces in the order of columns.
-    first: u16,
+    pub(super) first: u16,
     /// The row that comes next if rows are drawn in order, and the column with which they begin: edges and planes count
     /// from there.
     pub(super) next_row: i32,
@@ -449,6 +449,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             viewport: faces.viewport(),
             first_column: self.first_column,
             without_plane: self.disjoint,
+            sample: (),
         };
         while waiting != NONE {
             if let Some(begun) = self.begin(faces, waiting, &surroundings) {
@@ -553,7 +554,7 @@ const fn steps_at_end<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTabl
 
 /// How many pixels of a span lie in a row of so many.
 #[inline(always)]
-fn pixels_within(row: usize, start: i32, end: i32) -> usize {
+pub(super) fn pixels_within(row: usize, start: i32, end: i32) -> usize {
     let (start, end) = (start.max(0), end.min(row as i32));
     if start < end { (end - start) as usize } else { 0 }
 }

@@ -10,23 +10,30 @@ use crate::{
         active_face::{ActiveFace, Surroundings, from_top, in_order_of_rows},
         depth_plane::{AreaReciprocal, DepthPlane, SmallFace, wide_attribute_plane},
         face_table::{FaceTable, corners_from_top},
-        sides::Sides,
+        sides::{SamplePosition, Sides},
     },
 };
 
 /// The corners of a face on the screen, from its top.
-struct Corners<'c, 'v, S, D, H, F> {
+struct Corners<'c, 'v, S, D, H, F, P> {
     sides: Sides,
     depths: [u32; 3],
     /// The reciprocal of its area, for a small face.
     small: Option<(SmallFace, AreaReciprocal)>,
     faces: &'c F,
     node: u16,
-    surroundings: &'c Surroundings<'v>,
+    surroundings: &'c Surroundings<'v, P>,
     look: PhantomData<(S, D, H)>,
 }
 
-impl<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> PlaneSource for Corners<'_, '_, S, D, H, F> {
+impl<S, D, H, F, P> PlaneSource for Corners<'_, '_, S, D, H, F, P>
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+    P: SamplePosition,
+{
     #[inline]
     fn plane(&self, values: [i32; 3]) -> ScreenPlane {
         match self
@@ -55,14 +62,14 @@ impl<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> Plane
 fn wide_plane<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     faces: &impl FaceTable<S, D, H>,
     node: u16,
-    surroundings: &Surroundings<'_>,
+    surroundings: &Surroundings<'_, impl SamplePosition>,
     top: i32,
     right: i32,
     left: i32,
 ) -> ScreenPlane {
     match corners_from_top(faces, node) {
         Some(corners) => {
-            let sides = Sides::of(corners, 0);
+            let sides = surroundings.sample.see(Sides::of(corners, 0));
             wide_attribute_plane::<S>(
                 &sides,
                 [top, right, left],
@@ -80,34 +87,41 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth, H: Shading>(
 fn set_up_wide_depth<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     face: &mut ActiveFace<S, H>,
     faces: &impl FaceTable<S, D, H>,
-    surroundings: &Surroundings<'_>,
+    surroundings: &Surroundings<'_, impl SamplePosition>,
 ) {
     if let Some(corners) = corners_from_top(faces, face.node) {
-        face.plane = DepthPlane::wide(corners, surroundings.viewport, surroundings.first_column);
+        let sides = surroundings.sample.see(Sides::of(corners, 0));
+        face.plane = DepthPlane::wide_at(corners, &sides, surroundings.viewport, surroundings.first_column);
     }
 }
 
 /// Sets up the planes of the depth and of the attributes of a face with these corners.
 #[inline(never)]
-pub(super) fn set_up_attributes<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+pub(super) fn set_up_attributes<S, D, H, F, P>(
     face: &mut ActiveFace<S, H>,
     faces: &F,
     corners: [&ScreenVertex<S, D>; 3],
-    surroundings: &Surroundings<'_>,
-) {
+    surroundings: &Surroundings<'_, P>,
+) where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+    P: SamplePosition,
+{
     let Some(attributes) = faces.attributes(face.node) else {
         return;
     };
     let attributes = in_order_of_rows(corners, attributes);
     let from_top = from_top(corners);
-    let sides = Sides::of(from_top, surroundings.first_column);
+    let sides = surroundings.sample.see(Sides::of(from_top, surroundings.first_column));
     let depths = if F::IS_ORTHOGRAPHIC {
         // Nothing has a weight: as in a face whose corners are all as far away.
         [1; 3]
     } else {
         from_top.map(|corner| (corner.z.units() as u32) << D::FRACTION_BITS)
     };
-    let corners = Corners::<S, D, H, F> {
+    let corners = Corners::<S, D, H, F, P> {
         sides,
         depths,
         small: if S::FRACTION_BITS <= 4 {

@@ -57,8 +57,18 @@ impl ScreenPlane {
         viewport: &Window,
         first_column: i32,
     ) -> Self {
+        Self::wide_at(corners, &Sides::of(corners, 0), viewport, first_column)
+    }
+
+    /// The plane of a face of any size and slope, as the sides are seen that begin at column 0, by long divisions.
+    pub(super) fn wide_at<S: ScreenPrecision, D: DepthWidth>(
+        corners: [&ScreenVertex<S, D>; 3],
+        sides: &Sides,
+        viewport: &Window,
+        first_column: i32,
+    ) -> Self {
         let depths = corners.map(|corner| corner.z.units());
-        let mut plane = wide_plane::<S, D>(&Sides::of(corners, 0), depths, viewport).with_corner(corners[0].z);
+        let mut plane = wide_plane::<S, D>(sides, depths, viewport).with_corner(corners[0].z);
         plane.origin = plane.at(first_column, 0);
         plane
     }

@@ -49,8 +49,40 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     }
 
     /// Resets all depths of the row to the farthest one.
-    pub(super) fn clear_depths(&mut self) {
+    pub(crate) fn clear_depths(&mut self) {
         PixelWord::fill(self.depths, not_constant(D::FARTHEST));
+    }
+
+    /// Gives the pixels of the row the colours of one sample of each: of the sample `index` of `per_pixel` that each has.
+    pub(crate) fn load_samples(&mut self, samples: &[C::Word], [index, per_pixel]: [usize; 2]) {
+        let samples = samples
+            .get(index..)
+            .unwrap_or_default()
+            .iter()
+            .step_by(per_pixel.max(1));
+        for (word, sample) in self.words.iter_mut().zip(samples) {
+            *word = *sample;
+        }
+    }
+
+    /// Gives one sample of each pixel its colour, where something has been drawn in it: the sample `index` of `per_pixel`. The
+    /// samples are those of all pixels of the row.
+    pub(crate) fn store_samples(&self, columns: [i32; 2], samples: &mut [C::Word], [index, per_pixel]: [usize; 2]) {
+        let [start, end] = columns.map(|column| column.max(0) as usize);
+        let first = start * per_pixel + index;
+        let samples = samples
+            .get_mut(first..)
+            .unwrap_or_default()
+            .iter_mut()
+            .step_by(per_pixel.max(1));
+        let (Some(words), Some(depths)) = (self.words.get(start..end), self.depths.get(start..end)) else {
+            return;
+        };
+        for ((sample, word), depth) in samples.zip(words).zip(depths) {
+            if *depth > D::FARTHEST {
+                *sample = *word;
+            }
+        }
     }
 
     /// The column and the row of the first pixel.

@@ -105,6 +105,23 @@ impl<S: ScreenPrecision> Edge<S> {
         }
     }
 
+    /// The edge in one row that it crosses, without a step to the next one: one division. `top` and `size` are as in
+    /// [`new`](Self::new).
+    #[inline]
+    pub(super) fn in_row(top: Position, size: Position, row: i32) -> Self {
+        let down = (row << S::FRACTION_BITS) - top.y;
+        // In 12.4, differences are at most 32,752, so that the product fits.
+        let (left, _) = if S::FRACTION_BITS <= 4 {
+            divide_floor(-size.x * down, size.y)
+        } else {
+            divide_long(-i64::from(size.x) * i64::from(down), size.y)
+        };
+        Self {
+            sum: EdgeSum::new(row_after::<S>(top.x - left), 0),
+            step: EdgeSum::ZERO,
+        }
+    }
+
     /// Whether short edges are set up by a faster method of their own.
     pub(super) const MAY_BE_SHORT: bool = S::FRACTION_BITS == 4 && HAS_DIVIDER;
 

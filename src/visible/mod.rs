@@ -22,6 +22,7 @@ mod edge;
 mod face_table;
 mod passes;
 mod row_in_passes;
+mod row_of_samples;
 mod shaded_span;
 mod sides;
 mod silhouette_pixels;

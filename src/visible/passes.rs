@@ -131,6 +131,7 @@ pub(super) fn surroundings<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         viewport: faces.viewport(),
         first_column,
         without_plane: false,
+        sample: (),
     }
 }
 

@@ -28,3 +28,28 @@ impl Sides {
         }
     }
 }
+
+/// Where in each pixel a face is seen.
+pub(super) trait SamplePosition: Copy {
+    /// The sides of a face as they are seen from there.
+    fn see(self, sides: Sides) -> Sides;
+}
+
+/// At the centres of pixels.
+impl SamplePosition for () {
+    #[inline(always)]
+    fn see(self, sides: Sides) -> Sides {
+        sides
+    }
+}
+
+/// Beside the centres of pixels, so far to the right and down in units.
+impl SamplePosition for Position {
+    #[inline(always)]
+    fn see(self, sides: Sides) -> Sides {
+        Sides {
+            top: sides.top.minus(self),
+            ..sides
+        }
+    }
+}

@@ -24,6 +24,7 @@ mod holes;
 mod lighting;
 mod looks;
 mod morphing;
+mod multisampled;
 mod number_range;
 mod numbered_scene;
 mod orientations;

@@ -127,13 +127,14 @@ impl<L: Look, Same> SameTypes<L> for Same where
 /// A look of which all types and constants are those of another: it draws the same, because nothing else of a look says what is
 /// drawn.
 pub fn assert_same_items<L: Look, Same: SameTypes<L>>() {
-    fn constants<L: Look>() -> [bool; 5] {
+    fn constants<L: Look>() -> [bool; 6] {
         [
             L::CLIPS,
             L::DRAWS_IN_PASSES,
             L::HURRIES,
             L::IS_ORTHOGRAPHIC,
             L::DRAWS_BACKS,
+            L::IS_MULTISAMPLED,
         ]
     }
     assert_eq!(constants::<L>(), constants::<Same>(), "{}", type_name::<L>());

@@ -59,4 +59,5 @@ impl<L: Look<Color: ChannelColor>> Look for Antialiased<L> {
     const HURRIES: bool = L::HURRIES;
     const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
     const DRAWS_BACKS: bool = L::DRAWS_BACKS;
+    const IS_MULTISAMPLED: bool = false;
 }

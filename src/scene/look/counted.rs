@@ -24,4 +24,5 @@ impl<L: Look> Look for Counted<L> {
     const HURRIES: bool = L::HURRIES;
     const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
     const DRAWS_BACKS: bool = L::DRAWS_BACKS;
+    const IS_MULTISAMPLED: bool = L::IS_MULTISAMPLED;
 }

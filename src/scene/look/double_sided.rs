@@ -53,4 +53,5 @@ impl<L: Look> Look for DoubleSided<L> {
     const HURRIES: bool = L::HURRIES;
     const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
     const DRAWS_BACKS: bool = true;
+    const IS_MULTISAMPLED: bool = L::IS_MULTISAMPLED;
 }

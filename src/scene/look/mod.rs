@@ -8,6 +8,7 @@ mod counted;
 mod deep;
 mod double_sided;
 mod fine;
+mod multisampled;
 mod one_pass;
 mod orthographic;
 mod unhurried;
@@ -18,6 +19,7 @@ pub use counted::Counted;
 pub use deep::Deep;
 pub use double_sided::DoubleSided;
 pub use fine::Fine;
+pub use multisampled::Multisampled;
 pub use one_pass::OnePass;
 pub use orthographic::Orthographic;
 pub use unhurried::Unhurried;
@@ -39,7 +41,8 @@ use crate::{
 /// depths of 16 bits, faces are cut, rows are drawn in passes where they must. A wrapper changes one thing of another look, in
 /// any order: [`Fine`] (positions at 1/256 pixel), [`Deep`] (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no
 /// row is drawn in passes), [`Orthographic`] (parallel rays), [`DoubleSided`] (faces are seen from both sides), [`Antialiased`]
-/// (silhouettes), [`Counted`] (counters), [`Unhurried`] (no shortcuts). A look can also be a type of the program's own.
+/// (silhouettes), [`Multisampled`] (several samples a pixel), [`Counted`] (counters), [`Unhurried`] (no shortcuts). A look can
+/// also be a type of the program's own.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -106,6 +109,10 @@ pub trait Look: 'static {
 
     /// Whether faces that are seen from behind are drawn like those that are seen from the front.
     const DRAWS_BACKS: bool = false;
+
+    /// Whether a scene is drawn into several samples a pixel, so that faces are kept which cover some of them and not the
+    /// centre. Then no row is drawn in passes.
+    const IS_MULTISAMPLED: bool = false;
 }
 
 impl<H: Shading> Look for H {

@@ -55,6 +55,7 @@ impl<L: Look> Look for Orthographic<L> {
     const HURRIES: bool = L::HURRIES;
     const IS_ORTHOGRAPHIC: bool = true;
     const DRAWS_BACKS: bool = L::DRAWS_BACKS;
+    const IS_MULTISAMPLED: bool = L::IS_MULTISAMPLED;
 }
 
 impl<L: Look> Orthographic<L> {

@@ -5,17 +5,18 @@ use embedded_graphics::{
     text::Text,
 };
 use zrow::{
-    band::{BandColor, BigEndian, LittleEndian, Order, Target},
+    band::{Band, BandColor, BigEndian, LittleEndian, Order, Target},
+    coverage::{Grid, Rooks, SamplePattern},
     draw::{DrawOn, PictureItem, PrimitiveStyle},
     geometry::{Sub4, Sub8},
     scene::{
         Antialiased, BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Counted, Counters, Deep,
-        DepthWidth, DoubleSided, Edge, EdgeKind, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model, OnePass,
-        Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
+        DepthWidth, DoubleSided, Edge, EdgeKind, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model,
+        Multisampled, OnePass, Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
     shade::{
-        Bilinear, Blinn, Bounded, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert, LitTextured, Shading,
-        Texels, Textured, Transformed, Translucent, TwoSided,
+        Bilinear, Blinn, Bounded, ChannelColor, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert,
+        LitTextured, Shading, Texels, Textured, Transformed, Translucent, TwoSided,
     },
 };
 use zrow_methods::LookOf;
@@ -67,6 +68,11 @@ pub const EXERCISES: &[fn()] = &[
     look::<Antialiased<Rgb565>>,
     look::<Antialiased<Fine<Deep<DoubleSided<Translucent<Gouraud<Rgb888>>>>>>>,
     look::<Whole<OnePass<Antialiased<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>>>,
+    look::<Multisampled<Rgb565>>,
+    samples::<Multisampled<Rgb565>, Rooks<4>>,
+    samples::<Fine<Deep<Multisampled<Rgb888>>>, Rooks<16>>,
+    samples::<Multisampled<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>, Grid<2>>,
+    samples::<Whole<Orthographic<Multisampled<Gouraud<Rgb565>>>>, Rooks<8>>,
     look::<Counted<Rgb565>>,
     look::<Unhurried<Counted<LitTextured<Texels<Rgb565, 64, 64>>>>>,
     counted,
@@ -91,6 +97,27 @@ fn memory<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, c
         any(),
     ));
     look::<LookOf<C, S, D, CUTS>>();
+}
+
+/// A scene in the samples of a band.
+#[inline(never)]
+fn samples<L: Look<Color: ChannelColor>, P: SamplePattern + 'static>() {
+    keep(Band::<L::Color, LittleEndian>::multisample(
+        any(),
+        any::<P>(),
+        any(),
+        |samples| {
+            keep(Prepared::<L>::draw_samples(any(), samples));
+        },
+    ));
+    keep(Band::<L::Color, BigEndian>::multisample(
+        any(),
+        any::<P>(),
+        any(),
+        |samples| {
+            keep(Prepared::<L>::draw_samples(any(), samples));
+        },
+    ));
 }
 
 /// What has no capacity in its type.
