@@ -20,6 +20,7 @@ pub fn all() -> Vec<Case> {
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(teapots())
+        .chain(teapots_in_samples())
         .chain(estimates())
         .chain(effects::budgeted())
         .chain(looks())
@@ -530,6 +531,23 @@ fn teapots() -> impl Iterator<Item = Case> {
                 peer: Peer::None,
             },
         })
+    })
+}
+
+/// The Utah teapot at 240 x 320 with four samples a pixel: a frame up to its finished rows.
+fn teapots_in_samples() -> impl Iterator<Item = Case> {
+    [V7EM, V6M].into_iter().map(|target| Case {
+        name: "scene.teapot.multisampled".into(),
+        title: "Utah teapot, flat, four samples a pixel".into(),
+        target,
+        budget: None,
+        cycles_budget: None,
+        source: Source::Count {
+            firmware: "teapots",
+            count: "scene.teapot.multisampled",
+            variant: "draw",
+            peer: Peer::None,
+        },
     })
 }
 

@@ -5,7 +5,8 @@ use core::{convert::Infallible, hint::black_box, marker::PhantomData, ptr};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
-    scene::{Antialiased, InstructionSet, Look, Memory, Prepared},
+    coverage::{Rooks, SamplePattern},
+    scene::{Antialiased, InstructionSet, Look, Memory, Multisampled, Prepared},
     shade::{Bilinear, FlatLit, Gouraud, LitTextured, Texels, Textured},
 };
 use zrow_scenes::{
@@ -59,6 +60,8 @@ pub type TexturedTeapot = Stage<TexturedPot, LitTextured<Texels<Rgb565, 64, 64>>
 pub type BilinearTeapot = Stage<SmoothPot, LitTextured<Bilinear<Texels<Rgb565, 64, 64>>>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with antialiased silhouettes.
 pub type SilhouetteTeapot = Stage<SurfacePot, Antialiased<Rgb565>, 560, 992, 91, 240, 320>;
+/// The Utah teapot with four samples a pixel.
+pub type MultisampledTeapot = InSamples<Stage<FlatPot, Multisampled<Rgb565>, 560, 992, 128, 240, 320>, 240>;
 /// The Utah teapot with an effect, in a look.
 pub type EffectTeapot<S, L> = Stage<S, L, 560, 992, 91, 240, 320>;
 /// A square of up to 200 x 200 pixels with a texture in perspective.
@@ -158,10 +161,16 @@ where
     }
 
     #[inline(always)]
-    fn prepared_rows(
+    fn prepared_rows(&mut self, frame: u32, before: impl FnMut(&mut Prepared<'_, '_, L>), output: impl FnMut(&[u16])) {
+        self.drawn_rows(frame, before, |prepared, band| prepared.draw(band), output);
+    }
+
+    #[inline(always)]
+    fn drawn_rows(
         &mut self,
         frame: u32,
         mut before: impl FnMut(&mut Prepared<'_, '_, L>),
+        mut draw: impl FnMut(&mut Prepared<'_, '_, L>, &mut Band<'_, Rgb565>),
         mut output: impl FnMut(&[u16]),
     ) {
         let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {
@@ -178,7 +187,7 @@ where
         };
         let picture = PictureLoop::new(Self::AREA, Rgb565::BLACK);
         let drawn = picture.draw(&mut self.colors, &mut sink, |band: &mut Band<'_, Rgb565>| {
-            prepared.draw(band);
+            draw(&mut prepared, band);
         });
         if drawn.is_err() {
             report::exit(false)
@@ -220,6 +229,74 @@ pub fn count<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS
         runner.count(name, "draw", stage, &FRAME_NUMBERS, |stage, &frame| stage.draw(frame));
         runner.count(name, "display", stage, &FRAME_NUMBERS, |stage, &frame| {
             stage.display(frame)
+        });
+    }
+}
+
+/// A stage and the four samples of each pixel of a row.
+pub struct InSamples<T, const COLUMNS: usize> {
+    stage: T,
+    samples: [[u16; Rooks::<4>::SAMPLES]; COLUMNS],
+}
+
+impl<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize>
+    InSamples<Stage<S, L, V, F, A, COLUMNS, ROWS>, COLUMNS>
+where
+    S: Subject,
+    L: Look<Color = Rgb565, Shading = S::Shading>,
+{
+    /// Zeros, so that a `static` lies in `.bss` and nothing comes from the stack.
+    pub const EMPTY: Self = Self {
+        stage: Stage::EMPTY,
+        samples: [[0; Rooks::<4>::SAMPLES]; COLUMNS],
+    };
+
+    fn rows(&mut self, frame: u32, output: impl FnMut(&[u16])) {
+        let Self { stage, samples } = self;
+        let draw = |prepared: &mut Prepared<'_, '_, L>, band: &mut Band<'_, Rgb565>| {
+            let drawn = band.multisample(Rooks::<4>, samples.as_flattened_mut(), |samples| {
+                prepared.draw_samples(samples);
+            });
+            if drawn.is_err() {
+                report::exit(false)
+            }
+        };
+        stage.drawn_rows(frame, |_| {}, draw, output);
+    }
+}
+
+impl<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize> Canvas
+    for InSamples<Stage<S, L, V, F, A, COLUMNS, ROWS>, COLUMNS>
+where
+    S: Subject,
+    L: Look<Color = Rgb565, Shading = S::Shading>,
+{
+    fn erase(&mut self) {}
+
+    /// Of all pixels of all frames, which are drawn once more for that.
+    fn checksum(&mut self) -> u32 {
+        let mut sum = Checksum::default();
+        for frame in 0..FRAMES {
+            self.rows(frame, |words| sum.add(words.iter().copied()));
+        }
+        sum.0
+    }
+}
+
+/// Counts what drawing a frame takes with four samples a pixel, where it is asked for.
+pub fn count_samples<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize>(
+    runner: &mut Runner,
+    name: &str,
+    stage: &mut InSamples<Stage<S, L, V, F, A, COLUMNS, ROWS>, COLUMNS>,
+) where
+    S: Subject,
+    L: Look<Color = Rgb565, Shading = S::Shading>,
+{
+    if runner.wants(name) {
+        runner.count(name, "draw", stage, &FRAME_NUMBERS, |stage, &frame| {
+            stage.rows(frame, |words| {
+                black_box(words);
+            });
         });
     }
 }

@@ -8,7 +8,8 @@ use zrow_measure_firmware::{
     report,
     run::Runner,
     standard::{
-        BilinearTeapot, FlatLitTeapot, FlatTeapot, GouraudTeapot, SilhouetteTeapot, TexturedQuad, TexturedTeapot, count,
+        BilinearTeapot, FlatLitTeapot, FlatTeapot, GouraudTeapot, MultisampledTeapot, SilhouetteTeapot, TexturedQuad,
+        TexturedTeapot, count, count_samples,
     },
     stopwatch::Stopwatch,
 };
@@ -23,6 +24,7 @@ fn main() -> ! {
     let textured = cortex_m::singleton!(: TexturedTeapot = TexturedTeapot::EMPTY);
     let bilinear = cortex_m::singleton!(: BilinearTeapot = BilinearTeapot::EMPTY);
     let silhouettes = cortex_m::singleton!(: SilhouetteTeapot = SilhouetteTeapot::EMPTY);
+    let multisampled = cortex_m::singleton!(: MultisampledTeapot = MultisampledTeapot::EMPTY);
     let quad = cortex_m::singleton!(: TexturedQuad = TexturedQuad::EMPTY);
     let (
         Some(peripherals),
@@ -32,6 +34,7 @@ fn main() -> ! {
         Some(textured),
         Some(bilinear),
         Some(silhouettes),
+        Some(multisampled),
         Some(quad),
     ) = (
         Peripherals::take(),
@@ -41,6 +44,7 @@ fn main() -> ! {
         textured,
         bilinear,
         silhouettes,
+        multisampled,
         quad,
     )
     else {
@@ -53,6 +57,7 @@ fn main() -> ! {
     count(&mut runner, "scene.teapot.textured_lit", textured);
     count(&mut runner, "scene.teapot.bilinear", bilinear);
     count(&mut runner, "scene.teapot.silhouettes", silhouettes);
+    count_samples(&mut runner, "scene.teapot.multisampled", multisampled);
     count(&mut runner, "scene.quad.textured", quad);
     report::exit(true)
 }
