@@ -22,6 +22,7 @@ pub mod gem;
 pub mod instruments;
 pub mod line_siblings;
 pub mod meshes;
+pub mod multisampled;
 pub mod oled;
 pub mod oled_teapot;
 mod paint;
