@@ -173,8 +173,9 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// colour in all samples of a pixel if nothing varies over it; otherwise each sample is shaded where it is, not at the
     /// centre of the pixel, which may be outside of the face.
     ///
-    /// Positions of samples are rounded down to the units of the look: those of 4 and 8 rooks and of grids are multiples of 1/16
-    /// pixel, those of 16 rooks are 1/32 pixel higher and farther left in looks that are not [`Fine`](crate::scene::Fine).
+    /// Positions of samples are rounded down to the units of the look: those of 4 and 8 rooks and of grids are multiples of
+    /// 1/16 pixel, those of 16 rooks are 1/32 pixel higher and farther left in looks that are not
+    /// [`Fine`](crate::scene::Fine).
     ///
     /// Bands may come in any order; from top to bottom the list of faces goes on. Cost: each row is drawn once a sample, one
     /// after the other with the same row of depths, and each face of the row is set up for that.

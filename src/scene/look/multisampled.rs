@@ -4,17 +4,19 @@ use core::marker::PhantomData;
 
 use crate::scene::Look;
 
-/// The [`Look`] `L` for pictures with several samples a pixel: [`Prepared::draw_samples`](crate::scene::Prepared::draw_samples)
-/// draws them on what [`Band::multisample`](crate::band::Band::multisample) hands over, each sample with a depth of its own. All
-/// edges are smoothed: silhouettes, edges between faces, and where faces go through each other.
+/// The [`Look`] `L` for pictures with several samples a pixel, which
+/// [`Prepared::draw_samples`](crate::scene::Prepared::draw_samples) draws on what
+/// [`Band::multisample`](crate::band::Band::multisample) hands over, each sample with a depth of its own. All edges are
+/// smoothed: silhouettes, edges between faces, and where faces go through each other.
 ///
 /// Faces are kept that cover a sample and not the centre of a pixel. [`Prepared::draw`](crate::scene::Prepared::draw) draws the
 /// picture of `L`, with one sample a pixel, at its centre.
 ///
 /// A face crosses more rows, so that there have to be more slots for those in a row
-/// ([`Prepared::active_needed`](crate::scene::Prepared::active_needed)). No row is drawn in passes ([`Look::DRAWS_IN_PASSES`]), and none without depths. Around
-/// [`Antialiased`](crate::scene::Antialiased) it draws no silhouettes; within it there are no samples.
-/// [`Prepared::estimate`](crate::scene::Prepared::estimate) predicts what `L` takes. Memory: that of `L`.
+/// ([`Prepared::active_needed`](crate::scene::Prepared::active_needed)). No row is drawn in passes
+/// ([`Look::DRAWS_IN_PASSES`]), and none without depths. Around [`Antialiased`](crate::scene::Antialiased) it draws no
+/// silhouettes; within it there are no samples. [`Prepared::estimate`](crate::scene::Prepared::estimate) predicts what `L`
+/// takes. Memory: that of `L`.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Multisampled<L>(PhantomData<L>);
