@@ -1,5 +1,7 @@
 //! How a colour lies in memory: one word a pixel, in little-endian or in big-endian byte order.
 
+use core::hint::black_box;
+
 use bytemuck::{Pod, cast_mut, try_cast_slice_mut};
 use embedded_graphics::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
@@ -119,7 +121,7 @@ fn fill_bytes(words: &mut [u8], repeated: u32) {
         for pixel in words {
             *pixel = repeated as u8;
             // The compiler would call `memset`.
-            core::hint::black_box(());
+            black_box(());
         }
     }
 }
@@ -162,23 +164,21 @@ impl PixelWord for u16 {
                 *pixel = word;
             }
         } else if words.len() > 2 * SHORT {
-            // Pixels at an odd half of a 32-bit word are written singly, the last pixel in any case, because that takes
-            // less than a test.
-            if let Some(last) = words.last_mut() {
-                *last = word;
-            }
-            let mut words = words;
-            if words.as_ptr().addr() & 2 != 0 {
-                fill_block::<1, u16>(&mut words, word);
-            }
-            if !STORES_ANYWHERE {
+            if STORES_ANYWHERE {
+                fill_long_run(words, repeated);
+            } else {
+                // Pixels at an odd half of a 32-bit word are written singly, the last pixel in any case, because that takes
+                // less than a test.
+                if let Some(last) = words.last_mut() {
+                    *last = word;
+                }
+                let mut words = words;
+                if words.as_ptr().addr() & 2 != 0 {
+                    fill_block::<1, u16>(&mut words, word);
+                }
                 if let Some(pairs) = as_pairs(words) {
                     fill_words(pairs, repeated);
                 }
-            } else if words.len() <= 4 * SHORT {
-                fill_ends::<_, { 2 * SHORT }, SHORT>(words, repeated);
-            } else {
-                fill_pairs(words, repeated);
             }
         } else if words.len() >= SHORT {
             fill_ends::<_, SHORT, 8>(words, repeated);
@@ -216,6 +216,25 @@ where
 /// Whether the processor stores 32 bits at any address with one instruction, as a Cortex-M3 and larger ones do.
 const STORES_ANYWHERE: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
 
+/// Fills more than 32 pixels, in blocks that begin at whole 32-bit words, where the processor stores 32 bits with one instruction.
+#[inline(always)]
+fn fill_long_run(words: &mut [u16], repeated: u32) {
+    // The first pixel is written singly in any case, because that takes less than a test.
+    if let Some(first) = words.first_mut() {
+        *first = repeated as u16;
+    }
+    // 1 where the first pixel is an odd half of a 32-bit word. Computed, not branched on, so that the function has no stack frame.
+    let odd = (words.as_ptr().addr() >> 1) & 1;
+    let Some(words) = words.get_mut(odd..) else {
+        return;
+    };
+    if words.len() <= 4 * SHORT {
+        fill_ends::<_, { 2 * SHORT }, SHORT>(words, repeated);
+    } else {
+        fill_pairs(words, repeated);
+    }
+}
+
 /// Fills more than 64 pixels in blocks that halve; two a store, so that the last one of an odd number may be left out.
 ///
 /// One store a pair: a Cortex-M4 takes a cycle for it, but three for a store of two pairs.
@@ -223,8 +242,13 @@ const STORES_ANYWHERE: bool = cfg!(all(target_arch = "arm", target_has_atomic = 
 fn fill_pairs(words: &mut [u16], repeated: u32) {
     fill_last_block::<_, 32, 16>(words, repeated);
     let mut rest = words;
-    while fill_leading_block::<_, 128, 64>(&mut rest, repeated) {}
-    // No loops from here on, which the compiler would unroll once more.
+    if rest.len() > 128 {
+        while fill_leading_block::<_, 256, 128>(&mut rest, repeated) {
+            // The compiler would unroll this loop once more.
+            black_box(());
+        }
+        fill_leading_block::<_, 128, 64>(&mut rest, repeated);
+    }
     fill_leading_block::<_, 64, 32>(&mut rest, repeated);
     fill_leading_block::<_, 32, 16>(&mut rest, repeated);
 }
@@ -304,7 +328,7 @@ impl PixelWord for u32 {
 /// Hides a word's value from the compiler, which would fill with a constant 0 by calling the generic `memclr` for every
 /// block: that takes twice as long.
 pub(crate) fn not_constant<W: PixelWord>(word: W) -> W {
-    core::hint::black_box(word)
+    black_box(word)
 }
 
 /// Fills words in blocks, each half as long as the one before it.
@@ -433,7 +457,7 @@ six_bit_color!(Rgb666, Bgr666);
 
 #[cfg(test)]
 mod tests {
-    use super::{PixelWord, fill_bytes};
+    use super::{PixelWord, fill_bytes, fill_long_run};
 
     /// Every length up to two long blocks, from an even and from an odd index.
     fn fills_exactly<W: PixelWord + Default>(word: W) {
@@ -490,6 +514,19 @@ mod tests {
             for (index, &found) in bytes.iter().enumerate() {
                 let inside = (start..start + length).contains(&index);
                 assert_eq!(found == 0xA5, inside, "byte {index} of {length} from {start}");
+            }
+        }
+    }
+
+    /// Also where the processor of the desktop fills in another way.
+    #[test]
+    fn long_runs_are_filled_two_pixels_a_store_and_no_other() {
+        for (start, length) in (0..3).flat_map(|start| (33..600).map(move |length| (start, length))) {
+            let mut words = [0; 610];
+            fill_long_run(&mut words[start..start + length], 0xA55Au16.repeated());
+            for (index, &found) in words.iter().enumerate() {
+                let inside = (start..start + length).contains(&index);
+                assert_eq!(found == 0xA55A, inside, "pixel {index} of {length} from {start}");
             }
         }
     }
