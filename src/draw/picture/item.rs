@@ -11,7 +11,7 @@ use crate::{
         outline::{Common, EdgeSink},
         picture::pool::Pool,
     },
-    geometry::{InputError, Window},
+    geometry::{InputError, WideRectangle, Window},
     surface::{BandColor, LittleEndian, Order, PixelWord, Target},
 };
 
@@ -243,6 +243,39 @@ impl Extent {
     /// The pixels of a window; `None` where 16 bits cannot tell them all.
     pub(super) fn of_whole(window: &Window) -> Option<Self> {
         (window.intersection(&WHOLE) == *window && !window.is_empty()).then(|| Self::of(window))
+    }
+
+    /// The pixels of a box; `None` where it has none, or 16 bits cannot tell them all.
+    pub(super) fn of_box(wide: &WideRectangle) -> Option<Self> {
+        let side = |start: i64, length: u32| {
+            let first = i16::try_from(start).ok()?;
+            let length = i32::from(u16::try_from(length).ok()?);
+            let end = i16::try_from(i32::from(first) + length).ok()?;
+            (length > 0).then_some((first, end))
+        };
+        let (left, right) = side(wide.left, wide.size.width)?;
+        let (first, end) = side(wide.top, wide.size.height)?;
+        Some(Self {
+            first,
+            end,
+            left,
+            right,
+        })
+    }
+
+    /// The smallest box around some pixels, of which there is one at least; `None` where 16 bits cannot tell them all.
+    pub(super) fn around<const N: usize>(points: [Point; N]) -> Option<Self> {
+        let greatest = Point::new(i32::MAX, i32::MAX);
+        let least = Point::new(i32::MIN, i32::MIN);
+        let top_left = points.into_iter().fold(greatest, Point::component_min);
+        let bottom_right = points.into_iter().fold(least, Point::component_max);
+        let end = |last: i32| i16::try_from(last).ok()?.checked_add(1);
+        Some(Self {
+            first: i16::try_from(top_left.y).ok()?,
+            end: end(bottom_right.y)?,
+            left: i16::try_from(top_left.x).ok()?,
+            right: end(bottom_right.x)?,
+        })
     }
 
     pub(super) const fn is_empty(self) -> bool {

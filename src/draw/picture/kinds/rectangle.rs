@@ -43,11 +43,8 @@ impl CopiedShape for Rectangle {
             border.push::<C, O>(areas.inner_color, payload);
             kind_of::<C, O, StrokedRectangle>()
         };
-        Draft::new(
-            Extent::of(&areas.outer.to_window()),
-            Band::<C, O>::word(areas.color),
-            kind,
-        )
+        let extent = Extent::of_box(&areas.outer).unwrap_or_else(|| Extent::of(&areas.outer.to_window()));
+        Draft::new(extent, Band::<C, O>::word(areas.color), kind)
     }
 }
 
@@ -91,7 +88,7 @@ impl Border {
     /// one.
     pub(super) fn of<C: Copy>(areas: &Areas<C>) -> Option<Self> {
         let Areas { outer, inner, .. } = areas;
-        Extent::of_whole(&outer.to_window())?;
+        Extent::of_box(outer)?;
         let width = i64::from(outer.size.width - inner.size.width) / 2;
         let is_centred = |outer: &WideRectangle, inner: &WideRectangle| {
             inner.left - outer.left == width

@@ -193,18 +193,17 @@ fn prepare<'a, S: Round + Words + StyledShape, C: BandColor, O: Order>(
     style: &PrimitiveStyle<C>,
     payload: &mut Payload<'_>,
 ) -> Draft<'a, C, O> {
-    let window = areas.outer.to_window();
     let is_filled = areas.inner.is_empty();
     // Both sides of an extent are below 2^16, and the inner area is not larger than the outer one.
     let fits = || S::fits(areas.outer.size) && (is_filled || S::fits(areas.inner.size));
-    let Some(extent) = Extent::of_whole(&window).filter(|_| fits()) else {
-        return replayed(shape, style, window, payload);
+    let Some(extent) = Extent::of_box(&areas.outer).filter(|_| fits()) else {
+        return replayed(shape, style, areas.outer.to_window(), payload);
     };
     let kind: &dyn PictureItem<C, O> = if is_filled {
         kind_of::<C, O, Filled<S>>()
     } else {
         if Border::of(areas).is_none() {
-            return replayed(shape, style, window, payload);
+            return replayed(shape, style, areas.outer.to_window(), payload);
         }
         payload.push_all(&[areas.inner.size.height - 1, 0, 0]);
         payload.push_pixel(areas.inner_color.map_or(not_used::<C>(), Band::<C, O>::word));

@@ -53,10 +53,10 @@ impl CopiedShape for Line {
             let far = out_of_reach(self, 2 * u64::from(style.stroke_width));
             return replayed(self, style, window.around(&far), payload);
         }
-        let window = Window::from(Bounds::of([self.start, self.end]).to_rectangle());
-        let fits = window.width() <= MOST && window.height() <= MOST;
-        let (Some(extent), true) = (Extent::of_whole(&window), fits) else {
-            return replayed(self, style, window, payload);
+        let ends = [self.start, self.end];
+        let fits = |extent: &Extent| extent.width() <= MOST as i32 && extent.height() <= MOST as i32;
+        let Some(extent) = Extent::around(ends).filter(fits) else {
+            return replayed(self, style, Bounds::of(ends).to_rectangle().into(), payload);
         };
         let is_downwards = self.start.y < self.end.y;
         let leftwards = if is_downwards {

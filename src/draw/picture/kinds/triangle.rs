@@ -39,19 +39,21 @@ impl CopiedShape for Triangle {
         payload: &mut Payload<'_>,
     ) -> Draft<'a, C, O> {
         use embedded_graphics::primitives::StyledDimensions;
-        let mut window = Window::from(self.styled_bounding_box(style));
-        if style.stroke_width > 1 {
-            // The widest stroke that is generated for any alignment.
-            let width_in_halves = 4 * u64::from(style.stroke_width) + 2;
-            window = window.around(&out_of_reach(self, width_in_halves));
-        }
         let (Some(color), None, 0) = (style.fill_color, style.effective_stroke_color(), style.stroke_width) else {
+            let mut window = Window::from(self.styled_bounding_box(style));
+            if style.stroke_width > 1 {
+                // The widest stroke that is generated for any alignment.
+                let width_in_halves = 4 * u64::from(style.stroke_width) + 2;
+                window = window.around(&out_of_reach(self, width_in_halves));
+            }
             return replayed(self, style, window, payload);
         };
-        let window = Bounds::of(self.vertices).to_rectangle().into();
-        let (Some(extent), SmallTriangle::Rows(rows)) = (Extent::of_whole(&window), visible(&self.vertices, &window))
-        else {
-            return replayed(self, style, window, payload);
+        let small = Extent::around(self.vertices).and_then(|extent| match visible(&self.vertices, &extent.window()) {
+            SmallTriangle::Rows(rows) => Some((extent, rows)),
+            SmallTriangle::Nothing | SmallTriangle::Unfit => None,
+        });
+        let Some((extent, rows)) = small else {
+            return replayed(self, style, Bounds::of(self.vertices).to_rectangle().into(), payload);
         };
         let [upper, lower] = rows.parts;
         payload.push(upper.rows);
