@@ -26,7 +26,7 @@ use crate::{
         eg::areas::Areas,
         payload::Payload,
         picture::{
-            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_singly, fill_span, kind_of, span_of},
+            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind_of, set_pixel},
             kinds::{
                 rectangle::Border,
                 replayed::{Words, replayed},
@@ -70,6 +70,16 @@ impl CurveRow {
     #[inline]
     const fn columns(self) -> (i32, i32) {
         (self.start, self.end)
+    }
+
+    /// The row below this one, which is half of `below_middle` rows below the middle.
+    #[inline(always)]
+    fn next(self, below_middle: i32, units: (u32, u32)) -> Self {
+        if below_middle < 0 {
+            self.next_wider((-1 - below_middle) as u32, units)
+        } else {
+            self.next_narrower((below_middle + 1) as u32, units)
+        }
     }
 
     /// The row below this one in the upper half. `above_middle` is twice the distance of this row from the middle, less one.
@@ -262,12 +272,7 @@ impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Filled<S> {
         let row = CurveRow::of(slot.cursor);
         let units = S::units(extent.width(), extent.height());
         let below_middle = extent.below_middle(band.window().top);
-        let next = if below_middle < 0 {
-            row.next_wider((-1 - below_middle) as u32, units)
-        } else {
-            row.next_narrower((below_middle + 1) as u32, units)
-        };
-        slot.cursor = next.words();
+        slot.cursor = row.next(below_middle, units).words();
         // Filled last: while pixels are written, no other number has to be kept in a register.
         fill_span(band, row.columns(), slot.word);
     }
@@ -292,30 +297,15 @@ impl<S: Round, C: BandColor, O: Order, const HAS_FILL: bool> ItemKind<C, O> for 
         let below_middle = extent.below_middle(band.window().top);
         let (width, height) = (extent.width(), extent.height());
         let outer = CurveRow::of(slot.cursor);
+        slot.cursor = outer.next(below_middle, S::units(width, height)).words();
         // The number of the inner curve's last row is also twice its distance from the middle.
-        let last_inner = *last_inner as i32;
-        let border = height - 1 - last_inner;
-        let units = S::units(width, height);
-        let inner_units = S::units(width - border, height - border);
-        let inner = CurveRow::of([*columns, *error_term]);
-        let next_inner;
-        if below_middle < 0 {
-            let above_middle = (-1 - below_middle) as u32;
-            slot.cursor = outer.next_wider(above_middle, units).words();
-            if below_middle < -last_inner {
-                fill_span(band, outer.columns(), slot.word);
-                return;
-            }
-            next_inner = inner.next_wider(above_middle, inner_units);
-        } else {
-            let below_next = (below_middle + 1) as u32;
-            slot.cursor = outer.next_narrower(below_next, units).words();
-            if below_middle > last_inner {
-                fill_span(band, outer.columns(), slot.word);
-                return;
-            }
-            next_inner = inner.next_narrower(below_next, inner_units);
+        if below_middle.unsigned_abs() > *last_inner {
+            fill_span(band, outer.columns(), slot.word);
+            return;
         }
+        let border = height - 1 - *last_inner as i32;
+        let inner = CurveRow::of([*columns, *error_term]);
+        let next_inner = inner.next(below_middle, S::units(width - border, height - border));
         [*columns, *error_term] = next_inner.words();
         if HAS_FILL {
             fill_span(band, inner.columns(), C::Word::from_repeated(*fill));
@@ -333,25 +323,37 @@ fn fill_sides<C: BandColor, O: Order>(
     word: C::Word,
 ) {
     /// Up to this many pixels a side, writing them one by one takes less than filling two spans.
-    const SHORT: i32 = 8;
-    // For no columns this wraps around to the largest number, which is not short.
-    let more = (columns - 1) as u32;
-    if more < SHORT as u32 {
-        if let Some([first, run @ .., last]) = span_of(band, (start, end)) {
-            (*first, *last) = (word, word);
-            if more > 0 {
-                let more = more as usize;
-                let behind = run.len();
-                if let Some(run) = run.get_mut(..more) {
-                    fill_singly(run, word);
-                }
-                if let Some(run) = run.get_mut(behind.max(more) - more..) {
-                    fill_singly(run, word);
-                }
-            }
+    const SHORT: u32 = 8;
+    // Without a column this wraps around to the largest number, which is not short.
+    if (columns - 1) as u32 >= SHORT {
+        return fill_long_sides(band, (start, end), columns, word);
+    }
+    let left = band.window().left;
+    let row = band.words_mut();
+    let (mut first, mut last) = (start - left, end - 1 - left);
+    let mut remaining = columns;
+    loop {
+        set_pixel(row, first, word);
+        set_pixel(row, last, word);
+        remaining -= 1;
+        if remaining == 0 {
             return;
         }
+        first += 1;
+        last -= 1;
+        // Mostly there is one pixel on each side: the compiler would prepare for more.
+        black_box(());
     }
+}
+
+/// Fills sides of any length.
+#[inline(never)]
+fn fill_long_sides<C: BandColor, O: Order>(
+    band: &mut Band<'_, C, O>,
+    (start, end): (i32, i32),
+    columns: i32,
+    word: C::Word,
+) {
     fill_span(band, (start, start + columns), word);
     fill_span(band, (end - columns, end), word);
 }
