@@ -152,7 +152,8 @@ impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let extent = slot.extent;
         let (left, right) = extent.columns();
-        let (columns, rows) = (extent.width() - 1, (extent.height() - 1).max(1));
+        // Where that is 0, the run of the one row gets a column too many, which the box cuts off.
+        let rows = extent.height() - 1;
         let (above, end) = next(slot.cursor.each_mut(), rows);
         if STEEP {
             let column = if LEFTWARDS { right - 1 - end } else { left + end };
@@ -160,12 +161,12 @@ impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<
             set_pixel(band.words_mut(), column - band_left, slot.word);
             return;
         }
-        let (start, end) = ((above + 1).max(0), end.min(columns) + 1);
-        let run = if LEFTWARDS {
-            (right - end, right - start)
+        // The first and the last run would be longer than they are in the box.
+        let (start, end) = if LEFTWARDS {
+            (right - 1 - end, right - 1 - above)
         } else {
-            (left + start, left + end)
+            (left + 1 + above, left + 1 + end)
         };
-        fill_short_span(band, run, slot.word);
+        fill_short_span(band, (start.max(left), end.min(right)), slot.word);
     }
 }
