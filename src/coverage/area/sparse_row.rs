@@ -52,7 +52,7 @@ pub(super) fn cover<E, C: CountedEdges>(
     coverage: impl Fn(i32) -> Coverage,
     emit: &mut impl Emit<E>,
 ) -> Result<(), E> {
-    let sides = RowSides::of(columns);
+    let sides = ColumnSides::of(columns);
     let mut current = CurrentCell::NOTHING;
     while let [segment, others @ ..] = &*segments {
         let (start, end) = segment.ends();
@@ -120,15 +120,15 @@ pub(super) fn cover_between<E>(
     pixel(&current, emit)
 }
 
-/// The sides of a row of pixels.
+/// The left and the right side of the columns that are drawn.
 #[derive(Copy, Clone)]
-pub(super) struct RowSides {
+pub(super) struct ColumnSides {
     left: Wrapping<i32>,
     /// The distance between the sides, in 1/8192 pixel.
     width: u32,
 }
 
-impl RowSides {
+impl ColumnSides {
     pub(super) fn of(columns: &Range<i32>) -> Self {
         let left = Wrapping(columns.start * X_ONE);
         // A row of 2^19 pixels or more would wrap: then all segments are clusters, which takes longer.
@@ -138,17 +138,16 @@ impl RowSides {
 
     /// Whether an x, in 1/8192 pixel, lies between the sides.
     #[inline(always)]
-    fn are_around(self, x: i32) -> bool {
+    pub(super) fn are_around(self, x: i32) -> bool {
         // As an unsigned number, an x left of the row is far right of it.
         ((Wrapping(x) - self.left).0 as u32) < self.width
     }
+}
 
-    /// Whether two edges, each given by its left and its right end, lie in the row, the first one left of the other, and in no
-    /// pixel together.
-    #[inline(always)]
-    pub(super) fn are_around_disjoint(self, [start, left_end]: [i32; 2], [right_start, end]: [i32; 2]) -> bool {
-        left_end >> X_BITS < right_start >> X_BITS && self.are_around(start) && self.are_around(end)
-    }
+/// Whether two edges, each given by its left and its right end, are in no pixel together, and the first one left of the other.
+#[inline(always)]
+pub(super) fn are_disjoint([_, left_end]: [i32; 2], [right_start, _]: [i32; 2]) -> bool {
+    left_end >> X_BITS < right_start >> X_BITS
 }
 
 /// The cell of the last pixel that was reached, with the covers of all cells before it added to its own.

@@ -19,13 +19,16 @@ use crate::coverage::{
     Coverage, EmitRows,
     area::{
         accumulation_buffer::in_room,
-        sparse_row::{CountedEdges, RowSides, cover, cover_between},
+        sparse_row::{ColumnSides, CountedEdges, are_disjoint, cover, cover_between},
     },
     edges::{
         Rows,
         row_segments::{sort_by_left, step, update},
     },
 };
+
+/// In fewer rows, the edges of each row are compared with the sides of the columns.
+const LEAST_ROWS: usize = 8;
 
 /// Hands over the spans of all rows.
 ///
@@ -41,7 +44,9 @@ pub(super) fn cover_all<E, C: CountedEdges>(
     emit: &mut impl EmitRows<E>,
 ) -> Result<(), E> {
     let (columns, cells) = in_room(columns, cells);
-    let (sides, mut chains, segments) = (RowSides::of(&columns), rows.chains, rows.segments);
+    let (sides, mut chains, segments) = (ColumnSides::of(&columns), rows.chains, rows.segments);
+    // Looked up once for all rows, unless there are so few that it takes longer.
+    let is_inside = rows.rows.len() >= LEAST_ROWS && chains.ends().into_iter().all(|x| sides.are_around(x));
     segments.clear();
     let (mut row, end) = (chains.first_row().max(rows.rows.start), rows.rows.end);
     let mut event_row = row;
@@ -57,7 +62,9 @@ pub(super) fn cover_all<E, C: CountedEdges>(
             let event_row = event_row.min(end);
             let (left_ends, right_ends) = loop {
                 let (left_ends, right_ends) = (left.step_ends(), right.step_ends());
-                if !sides.are_around_disjoint(left_ends, right_ends) {
+                let ([start, _], [_, end]) = (left_ends, right_ends);
+                let are_inside = is_inside || sides.are_around(start) && sides.are_around(end);
+                if !(are_disjoint(left_ends, right_ends) && are_inside) {
                     break (left_ends, right_ends);
                 }
                 let (left, right) = ((left_ends, left_height), (right_ends, right_height));
