@@ -216,14 +216,16 @@ where
 /// Whether the processor stores 32 bits at any address with one instruction, as a Cortex-M3 and larger ones do.
 const STORES_ANYWHERE: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
 
-/// Fills more than 32 pixels, in blocks that begin at whole 32-bit words, where the processor stores 32 bits with one instruction.
+/// Fills more than 32 pixels, in blocks that begin at whole 32-bit words, where the processor stores 32 bits with one
+/// instruction.
 #[inline(always)]
 fn fill_long_run(words: &mut [u16], repeated: u32) {
     // The first pixel is written singly in any case, because that takes less than a test.
     if let Some(first) = words.first_mut() {
         *first = repeated as u16;
     }
-    // 1 where the first pixel is an odd half of a 32-bit word. Computed, not branched on, so that the function has no stack frame.
+    // 1 where the first pixel is an odd half of a 32-bit word. Computed, not branched on, so that the function has no stack
+    // frame.
     let odd = (words.as_ptr().addr() >> 1) & 1;
     let Some(words) = words.get_mut(odd..) else {
         return;
