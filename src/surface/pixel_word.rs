@@ -208,9 +208,7 @@ where
     if let Some(first) = words.first_chunk_mut::<N>() {
         *cast_mut::<_, [[u8; 4]; STORES]>(first) = [repeated.to_ne_bytes(); STORES];
     }
-    if let Some(last) = words.last_chunk_mut::<N>() {
-        *cast_mut::<_, [[u8; 4]; STORES]>(last) = [repeated.to_ne_bytes(); STORES];
-    }
+    fill_last_block::<_, N, STORES>(words, repeated);
 }
 
 /// Whether the processor stores 32 bits at any address with one instruction, as a Cortex-M3 and larger ones do.
