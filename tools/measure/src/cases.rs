@@ -538,7 +538,7 @@ fn teapots() -> impl Iterator<Item = Case> {
 fn teapots_in_samples() -> impl Iterator<Item = Case> {
     [V7EM, V6M].into_iter().map(|target| Case {
         name: "scene.teapot.multisampled".into(),
-        title: "Utah teapot, flat, four samples a pixel".into(),
+        title: "Utah teapot, flat, four samples a pixel, every second frame".into(),
         target,
         budget: None,
         cycles_budget: None,
