@@ -204,11 +204,23 @@ where
     [W; N]: Pod,
     [[u8; 4]; STORES]: Pod,
 {
+    fill_first_block::<_, N, STORES>(words, repeated);
+    if let Some(last) = words.last_chunk_mut::<N>() {
+        *cast_mut::<_, [[u8; 4]; STORES]>(last) = [repeated.to_ne_bytes(); STORES];
+    }
+}
+
+/// Fills the first `N` pixels, which are as many bytes as `STORES` words of 32 bits.
+#[inline(always)]
+fn fill_first_block<W, const N: usize, const STORES: usize>(words: &mut [W], repeated: u32)
+where
+    [W; N]: Pod,
+    [[u8; 4]; STORES]: Pod,
+{
     // Bytes have no alignment; a block made elsewhere and copied here would take stack.
     if let Some(first) = words.first_chunk_mut::<N>() {
         *cast_mut::<_, [[u8; 4]; STORES]>(first) = [repeated.to_ne_bytes(); STORES];
     }
-    fill_last_block::<_, N, STORES>(words, repeated);
 }
 
 /// Whether the processor stores 32 bits at any address with one instruction, as a Cortex-M3 and larger ones do.
@@ -229,7 +241,8 @@ fn fill_long_run(words: &mut [u16], repeated: u32) {
         return;
     };
     if words.len() <= 4 * SHORT {
-        fill_ends::<_, { 2 * SHORT }, SHORT>(words, repeated);
+        fill_first_block::<_, { 2 * SHORT }, SHORT>(words, repeated);
+        fill_last_block::<_, { 2 * SHORT }, SHORT>(words, repeated);
     } else {
         fill_pairs(words, repeated);
     }

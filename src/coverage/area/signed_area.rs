@@ -78,9 +78,13 @@ impl CoverageMethod for SignedArea {
                 let coverage = coverage_by(FillRule::NonZero);
                 cover_all(rows, &columns, cells, &mut Signed, coverage, emit)
             }
+            // Seldom used: in rows between two edges a way of its own would take more flash than it is worth.
             FillRule::EvenOdd => {
-                let coverage = coverage_by(FillRule::EvenOdd);
-                cover_all(rows, &columns, cells, &mut Signed, coverage, emit)
+                let (columns, cells) = in_room(&columns, cells);
+                rows.for_each(|y, segments| {
+                    let coverage = coverage_by(FillRule::EvenOdd);
+                    cover(segments, &columns, cells, &mut Signed, coverage, &mut emit.row(y))
+                })
             }
         }
     }

@@ -76,7 +76,9 @@ pub(super) fn cover_all<E, C: CountedEdges>(
             };
             left.go_between(left_ends);
             right.go_between(right_ends);
-            sort_by_left(segments);
+            if left_ends > right_ends {
+                sort_by_left(segments);
+            }
         } else {
             step(segments);
         }
