@@ -33,7 +33,7 @@ extern crate std;
 #[macro_use]
 mod trace;
 
-/// How many random cases the tests within the library try, as those beside it do.
+/// The number of random cases that the unit tests try; the integration tests in `tests/` include the same file.
 #[cfg(test)]
 #[path = "../tests/common/cases.rs"]
 mod cases;

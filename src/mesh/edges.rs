@@ -48,7 +48,7 @@ pub(super) const fn find<const FACES: usize, const EDGES: usize>(
 
 /// The other faces that have an edge, as seen from the first side of a face that lies in it.
 struct Beside {
-    /// How many faces of the mesh share the edge, together with the face that was asked for.
+    /// The number of the mesh's faces that share the edge, with the face whose edge it is asked about.
     faces: u32,
     /// The next side of a face that lies in the edge, by its number, and the sides of that face; `None` where there is none.
     following: Option<(u32, FaceSides)>,

@@ -416,14 +416,14 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
     }
 }
 
-/// How far a sample is right of the centre of its pixel and below it, in units of a look, rounded down: from its column and row
-/// in 1/256 pixel.
-fn from_centre<L: Look>([column, row]: [i32; 2]) -> Position {
+/// Converts the position of a sample, x and y in 1/256 pixel from the top left corner of its pixel, to that from the centre of
+/// the pixel in units of the look's precision, rounded down.
+fn from_centre<L: Look>([x, y]: [i32; 2]) -> Position {
     let bits = L::Precision::FRACTION_BITS;
     let units = |part: i32| ((part << bits) >> 8) - (1 << bits) / 2;
     Position {
-        x: units(column),
-        y: units(row),
+        x: units(x),
+        y: units(y),
     }
 }
 

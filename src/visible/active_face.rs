@@ -124,7 +124,7 @@ pub(super) struct Surroundings<'v, P = ()> {
     pub(super) first_column: i32,
     /// Whether the face needs no depth plane.
     pub(super) without_plane: bool,
-    /// Where in each pixel it is seen.
+    /// The position in each pixel at which the face is looked at: the centre, or a distance from it.
     pub(super) sample: P,
 }
 

@@ -9,11 +9,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use fixed::types::{I8F24, I16F16, U0F16};
-use proptest::{
-    prelude::*,
-    strategy::{Strategy, ValueTree},
-    test_runner::TestRunner,
-};
+use proptest::prelude::*;
 use zrow::{
     band::{Band, BandColor, BigEndian, LittleEndian, Order},
     coverage::{BoxFilter, Grid, Rooks, SamplePattern},
@@ -30,8 +26,8 @@ use crate::common::{cases, config};
 use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{Scene, area, depth_and_tolerance};
 use crate::reference::nearest_faces::{Face, owners};
-use crate::shaded_scene::{FourColors, Skinned, VertexData, vertex_data};
-use crate::shading_looks::assert_same_items;
+use crate::shaded_scene::{FourColors, Skinned};
+use crate::shading_looks::{assert_same_items, data};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
 const WIDTH: usize = 64;
@@ -195,14 +191,6 @@ where
         let drawn: Vec<_> = drawn.chunks_exact(P::SAMPLES).map(|pixel| pixel[sample]).collect();
         assert!(drawn == at_centres(&moved), "sample {sample} of {}", type_name::<L>());
     }
-}
-
-fn data(count: usize) -> VertexData {
-    let mut runner = TestRunner::new(config(1));
-    vertex_data(count)
-        .new_tree(&mut runner)
-        .expect("a strategy without filters")
-        .current()
 }
 
 /// Draws a torus and a cube with a shading, far away and so near that faces are cut.

@@ -50,7 +50,8 @@ struct Outcome {
     depth_bytes: usize,
 }
 
-fn data(count: usize) -> VertexData {
+/// Normals, colours and texture coordinates of so many vertices, always the same ones.
+pub fn data(count: usize) -> VertexData {
     let mut runner = TestRunner::new(config(1));
     vertex_data(count)
         .new_tree(&mut runner)

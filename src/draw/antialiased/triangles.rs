@@ -199,8 +199,9 @@ fn between(from: Position, to: Position) -> Position {
 
 /// A side of a triangle, clockwise on the screen.
 struct Side {
+    /// The direction from one vertex to the next one.
     along: Direction,
-    /// How far the side is moved: the vector outwards, which is as long as that distance.
+    /// The vector that moves the side outwards, at right angles to it.
     outwards: Position,
 }
 

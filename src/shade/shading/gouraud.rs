@@ -39,7 +39,7 @@ pub struct GouraudSkin<'a, C, L = Lambert<1>> {
     pub colors: &'a [C],
     /// The normals of the vertices, on an octahedron: for a normal of length 1, x / s and y / s in 1/127, where s is |x| +
     /// |y| + |z|; where z is below 0, (1 - |y| / s) with the sign of x, and (1 - |x| / s) with the sign of y.
-    /// Where x or y is 0, either sign will do. Not used without lights.
+    /// A coordinate of 0 has either sign. Not used without lights.
     pub normals: &'a [[i8; 2]],
     /// The lights.
     pub lights: L,

@@ -216,12 +216,17 @@ where
 
     /// Of all pixels of all frames, which are drawn once more for that.
     fn checksum(&mut self) -> u32 {
-        let mut sum = Checksum::default();
-        for frame in 0..FRAMES {
-            self.rows(frame, |words| sum.add(words.iter().copied()));
-        }
-        sum.0
+        checksum_of_frames(|frame, words| self.rows(frame, words))
     }
+}
+
+/// The checksum of all pixels of all frames. `rows` draws a frame and hands over each of its rows.
+fn checksum_of_frames(mut rows: impl FnMut(u32, &mut dyn FnMut(&[u16]))) -> u32 {
+    let mut sum = Checksum::default();
+    for frame in 0..FRAMES {
+        rows(frame, &mut |words| sum.add(words.iter().copied()));
+    }
+    sum.0
 }
 
 /// Counts what preparing a frame takes, drawing it, and drawing it for a display, where it is asked for.
@@ -286,11 +291,7 @@ where
 
     /// Of all pixels of all frames, which are drawn once more for that.
     fn checksum(&mut self) -> u32 {
-        let mut sum = Checksum::default();
-        for frame in 0..FRAMES {
-            self.rows(frame, |words| sum.add(words.iter().copied()));
-        }
-        sum.0
+        checksum_of_frames(|frame, words| self.rows(frame, words))
     }
 }
 
