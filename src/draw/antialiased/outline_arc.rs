@@ -16,6 +16,13 @@ pub(crate) type Corner = [i32; 2];
 /// A position in 1/256 pixel, as far from the origin as a shape of embedded-graphics can be.
 pub(crate) type WidePosition = [i64; 2];
 
+/// The angle of the top of an ellipse, in [`TURN`]ths of a turn.
+pub(super) const TOP: i32 = 3 * (TURN / 4);
+
+/// The most chords of a quarter of an ellipse that are mirrored: those of a radius of 208 pixels, whose corners are nearer than
+/// 2^16 to the centre, in 1/256 pixel.
+const MOST_MIRRORED: usize = 64;
+
 /// An arc of an ellipse, as its corners.
 ///
 /// The corners between the first and the last one lie at fixed angles from where the arc begins clockwise: an arc that grows
@@ -154,6 +161,37 @@ impl OutlineArc {
         [x + scaled(across, cosine), y + scaled(down, sine)]
     }
 
+    /// Calls `edge` with the edges of a whole ellipse from its top on, between corners of which those of a quarter are computed and
+    /// the others mirrored. Returns `false`, and does nothing, for any other arc, and where a quarter has more than
+    /// [`MOST_MIRRORED`] chords.
+    pub(super) fn mirrored_edges(&self, edge: &mut dyn FnMut(Corner, Corner)) -> bool {
+        let chords = usize::from(self.chords_of_quarter);
+        let is_whole = self.sweep == TURN && self.start == TOP;
+        if !is_whole || chords == 0 || chords > MOST_MIRRORED {
+            return false;
+        }
+        // How far right of the centre and above it the corners lie, from the top to the right.
+        let mut quarter = [[0u16; 2]; MOST_MIRRORED + 1];
+        let ([x, y], [across, down]) = (self.center, self.radii);
+        for (number, corner) in quarter.iter_mut().take(chords + 1).enumerate() {
+            // The sine and the cosine of the angle from the top are the cosine and, upwards, the sine of the angle.
+            let [cosine, sine] = direction(self.angle_of(number as u16));
+            *corner = [scaled(across, cosine) as u16, scaled(down, -sine) as u16];
+        }
+        let forward = if self.is_reversed { -1 } else { 1 };
+        let mut from = [x, y - down as i32];
+        for [to_right, downwards] in [[1, -1], [1, 1], [-1, 1], [-1, -1]] {
+            for step in 1..=chords {
+                let number = if to_right == downwards { chords - step } else { step };
+                let [across, along] = quarter.get(number).map_or([0; 2], |corner| corner.map(i32::from));
+                let to = [x + forward * to_right * across, y + downwards * along];
+                edge(from, to);
+                from = to;
+            }
+        }
+        true
+    }
+
     /// Whether the arcs have one centre and opposite directions.
     pub(crate) fn is_opposite(&self, other: &Self) -> bool {
         self.center == other.center && self.is_reversed != other.is_reversed
@@ -270,6 +308,32 @@ mod tests {
                     assert!(distance.abs() < 4.0 + 0.72, "{radius}, {sweep}: {distance}");
                 }
             }
+        }
+    }
+
+    /// Of circles and ellipses, also as holes.
+    #[test]
+    fn mirrored_edges_are_those_between_corners_computed_one_by_one() {
+        let mut mirrored_ellipses = 0;
+        for longest in (0..=60_000).step_by(37) {
+            for radii in [[longest; 2], [longest, longest / 3], [longest / 7, longest]] {
+                let ellipse = OutlineArc::new(CENTER, radii, (TOP, TURN)).unwrap();
+                for ellipse in [ellipse, ellipse.reversed()] {
+                    let mut mirrored = Vec::new();
+                    if ellipse.mirrored_edges(&mut |from, to| mirrored.push([from, to])) {
+                        let corner = |index: u16| ellipse.corner(index % ellipse.corners());
+                        let edges = (0..ellipse.corners()).map(|index| [corner(index), corner(index + 1)]);
+                        assert!(edges.eq(mirrored), "{radii:?}");
+                        mirrored_ellipses += 1;
+                    }
+                }
+            }
+        }
+        assert!(mirrored_ellipses > 8_000, "{mirrored_ellipses}");
+        // Neither is a turn that begins elsewhere, nor a part of one.
+        for angles in [(0, TURN), (TOP, TURN - 1)] {
+            let arc = OutlineArc::new(CENTER, [900; 2], angles).unwrap();
+            assert!(!arc.mirrored_edges(&mut |_, _| ()));
         }
     }
 

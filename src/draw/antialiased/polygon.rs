@@ -166,8 +166,8 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// [`InputError::TooSmall`] with the table that has not.
     fn check_tables(&self, needed: usize) -> Result<(), InputError> {
         check(EDGES, TooSmall::Edges(needed))?;
-        if needed > ACTIVE {
-            let chains = Chains::new(&self.edges, self.first);
+        let chains = Chains::new(&self.edges, self.first);
+        if needed > ACTIVE && !chains.have_at_most(ACTIVE) {
             let most_active = chains.most_active(Vec::<_, EDGES>::new().as_mut_view());
             check(ACTIVE, TooSmall::ActiveEdges(most_active))?;
         }

@@ -15,7 +15,7 @@
 
 use crate::{
     draw::antialiased::{
-        outline_arc::{Corner, OutlineArc, WidePosition},
+        outline_arc::{Corner, OutlineArc, TOP, WidePosition},
         turn::TURN,
     },
     geometry::InputError,
@@ -47,7 +47,13 @@ impl RoundContour {
     /// [`InputError::OutOfDomain`] where it leaves the domain of [`Sub8`].
     pub(crate) fn ellipse(center: WidePosition, radii: [i64; 2]) -> Result<Self, InputError> {
         // From the top on, so that the contour has two chains in y.
-        Ok(Self::new(&[OutlineArc::new(center, radii, (3 * (TURN / 4), TURN))?]))
+        Ok(Self::new(&[OutlineArc::new(center, radii, (TOP, TURN))?]))
+    }
+
+    /// Calls `edge` with the edges of an ellipse, computed faster than corner by corner. Returns `false`, and does nothing, for other
+    /// contours, and for large ellipses.
+    pub(super) fn mirrored_edges(&self, edge: &mut dyn FnMut(Corner, Corner)) -> bool {
+        matches!(self.arcs(), [ellipse] if ellipse.mirrored_edges(edge))
     }
 
     /// The contour in the opposite direction, for a hole.
@@ -69,7 +75,7 @@ impl RoundContour {
         self.arcs().iter().map(OutlineArc::corners).sum()
     }
 
-    fn corner(&self, index: u16) -> Corner {
+    pub(super) fn corner(&self, index: u16) -> Corner {
         let mut rest = index;
         for arc in self.arcs() {
             let corners = arc.corners();

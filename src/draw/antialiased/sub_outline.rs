@@ -97,9 +97,10 @@ impl<S: SubPixel> SubOutline for Path<'_, S> {
 
 impl SubOutline for RoundOutline {
     fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
-        for contour in 0..self.contours() {
-            let corners = (0..self.corners(contour)).map(|index| self.corner(contour, index));
-            close(corners, edge);
+        for contour in (0..self.contours()).filter_map(|number| self.contour(number)) {
+            if !contour.mirrored_edges(edge) {
+                close((0..contour.corners()).map(|index| contour.corner(index)), edge);
+            }
         }
     }
 

@@ -36,10 +36,11 @@ pub(super) fn sine_of(angle: i32) -> i32 {
     first + (((at(1) - first) * low + (1 << (MORE_BITS - 1))) >> MORE_BITS)
 }
 
-/// A length, in any unit below 2^31, times a number in 2.30 fixed point.
+/// A length, in any unit below 2^31, times a number in 2.30 fixed point, rounded to the nearest; the same on both sides of 0.
 pub(crate) fn scaled(length: u32, factor: i32) -> i32 {
     // The factor is at most 1.
-    round_products(i64::from(length) * i64::from(factor)) as i32
+    let size = round_products(i64::from(length) * i64::from(factor.unsigned_abs())) as i32;
+    if factor < 0 { -size } else { size }
 }
 
 /// A product with a number in 2.30 fixed point, or a sum of such products, rounded to the nearest whole number; ties upwards.
