@@ -352,4 +352,43 @@ proptest! {
         }
         prop_assert!(whole.iter().all(|(span, coverage)| span.start < span.end && *coverage > 0));
     }
+
+    /// Two chains with few corners or many in a row, corners on its sides, and edges that cross those of the other chain: to the
+    /// same pixels, from left to right.
+    #[test]
+    fn rows_between_two_chains_are_covered_like_others(
+        [one, other] in [chain(), chain()],
+        bottom in 2_000..9_000i32,
+        (left, top) in (-3..9i32, -2..9i32),
+    ) {
+        let window = crate::geometry::Window { left, top, right: left + 21, bottom: top + 20 };
+        let mut contour: Vec<[i32; 2]> = vec![[1_500, -200]];
+        let corners = |chain: Vec<(i32, i32)>| {
+            let mut y = -200;
+            let corners = chain.into_iter().map(move |(x, height)| {
+                y = if height < 0 { (y & -256) + 384 } else { y + height };
+                [x, y]
+            });
+            corners.take_while(|[_, y]| *y < bottom).collect::<Vec<_>>()
+        };
+        contour.extend(corners(one));
+        contour.push([1_700, bottom]);
+        contour.extend(corners(other).into_iter().rev());
+        let ends = contour.iter().zip(contour.iter().cycle().skip(1));
+        let edges: Vec<AntialiasedEdge> = ends.filter_map(|(&from, &to)| AntialiasedEdge::from_units(from, to)).collect();
+        let [whole, by_row] =
+            [false, true].map(|row_by_row| covered(&edges, FillRule::NonZero, &window, row_by_row));
+        prop_assert_eq!(pixels(&whole, &window), pixels(&by_row, &window));
+        for pair in whole.windows(2) {
+            let [(before, _), (after, _)] = pair else { unreachable!() };
+            prop_assert!(before.y < after.y || before.y == after.y && before.end <= after.start, "{:?}", pair);
+        }
+    }
+}
+
+/// The corners of a y-monotone chain: x, and how far below the one before each lies, in 1/256 pixel; negative where it lies on the
+/// next boundary between two rows.
+fn chain() -> impl Strategy<Value = Vec<(i32, i32)>> {
+    let height = prop_oneof![3 => 0..40i32, 2 => 200..900i32, 1 => Just(-1)];
+    prop::collection::vec((-900..5_000i32, height), 0..40)
 }

@@ -16,7 +16,7 @@ use core::{num::Wrapping, ops::Range};
 use crate::coverage::{
     Coverage,
     area::cell::{AREA_BITS, Cell, for_each_visible},
-    edges::{X_BITS, X_ONE},
+    edges::{X_BITS, X_ONE, chain_walk::PartSink},
     with_room,
 };
 use crate::geometry::offset_from;
@@ -145,6 +145,13 @@ impl<'c> AccumulationBuffer<'c> {
     /// Empties the buffer: after an error, and right of the columns, where nobody reads it.
     pub(super) fn clear(&mut self) {
         self.cells.fill(0);
+    }
+}
+
+impl PartSink for AccumulationBuffer<'_> {
+    #[inline]
+    fn add_part(&mut self, (x_top, x_bottom): (i32, i32), height: i32) {
+        self.add(x_top, x_bottom, height);
     }
 }
 

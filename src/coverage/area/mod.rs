@@ -4,6 +4,7 @@ mod accumulation_buffer;
 mod cell;
 mod combined_area;
 mod inside_area;
+mod row_parts;
 mod siblings;
 mod signed_area;
 mod sparse_row;

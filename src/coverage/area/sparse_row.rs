@@ -151,11 +151,11 @@ pub(super) fn are_disjoint([_, left_end]: [i32; 2], [right_start, _]: [i32; 2]) 
 }
 
 /// The cell of the last pixel that was reached, with the covers of all cells before it added to its own.
-struct CurrentCell(Cell);
+pub(super) struct CurrentCell(Cell);
 
 impl CurrentCell {
     /// The state before the first segment of a row, when no pixel was reached: nothing is emitted for it.
-    const NOTHING: Self = Self(Cell {
+    pub(super) const NOTHING: Self = Self(Cell {
         x: i32::MAX,
         cover: Wrapping(0),
         area: Wrapping(0),
@@ -169,7 +169,7 @@ impl CurrentCell {
 
     /// Emits the pixel of the cell.
     #[inline(always)]
-    fn emit_pixel<E>(&self, coverage: impl Fn(i32) -> Coverage, emit: &mut impl Emit<E>) -> Result<(), E> {
+    pub(super) fn emit_pixel<E>(&self, coverage: impl Fn(i32) -> Coverage, emit: &mut impl Emit<E>) -> Result<(), E> {
         let coverage = self.coverage(coverage);
         if coverage != 0 {
             emit.pixel(self.0.x, coverage)?;
@@ -179,7 +179,12 @@ impl CurrentCell {
 
     /// Emits the pixel of the cell and the span after it, up to the column in which the next segment begins.
     #[inline(always)]
-    fn go_to<E>(&mut self, column: i32, coverage: impl Fn(i32) -> Coverage, emit: &mut impl Emit<E>) -> Result<(), E> {
+    pub(super) fn go_to<E>(
+        &mut self,
+        column: i32,
+        coverage: impl Fn(i32) -> Coverage,
+        emit: &mut impl Emit<E>,
+    ) -> Result<(), E> {
         if self.0.x < column {
             self.emit_pixel(&coverage, emit)?;
             self.0.area = Wrapping(0);
@@ -193,7 +198,7 @@ impl CurrentCell {
 
     /// Sweeps the cells of a disjoint segment, which begins in the column that was gone to. The last one is current then.
     #[inline(always)]
-    fn pass<E>(
+    pub(super) fn pass<E>(
         &mut self,
         ends: [i32; 2],
         height: i32,
@@ -261,7 +266,7 @@ fn overlapping<C: CountedEdges>(counted: &C, segments: &[RowSegment]) -> (usize,
 /// # Errors
 /// The first error that `emit` returns.
 #[inline(always)]
-fn sweep_cluster<E>(
+pub(super) fn sweep_cluster<E>(
     [first, last]: [i32; 2],
     buffer: &mut AccumulationBuffer<'_>,
     mut current: CurrentCell,

@@ -15,14 +15,19 @@
 
 use core::ops::Range;
 
+use heapless::VecView;
+
 use crate::coverage::{
     Coverage, EmitRows,
     area::{
         accumulation_buffer::in_room,
+        row_parts::RowParts,
         sparse_row::{ColumnSides, CountedEdges, are_disjoint, cover, cover_between},
     },
     edges::{
-        Rows,
+        RowSegment, Rows, Y_ONE,
+        chain_walk::ChainWalk,
+        monotone_chains::Chains,
         row_segments::{sort_by_left, step, update},
     },
 };
@@ -52,13 +57,20 @@ pub(super) fn cover_all<E, C: CountedEdges>(
     let mut event_row = row;
     'rows: while row < end {
         if row >= event_row {
+            if let Some(pair) = two_chains(&chains, segments, row) {
+                let mut parts = RowParts::new(&columns, cells);
+                event_row = go_on(&chains, pair, row, &mut parts);
+                parts.cover(sides, &coverage, &mut emit.row(row))?;
+                row += 1;
+                continue;
+            }
             event_row = update(&mut chains, segments, row);
             if segments.is_empty() {
                 row = event_row;
                 continue;
             }
         } else if let [left, right] = segments.as_mut_slice() {
-            let (left_height, right_height) = (left.signed_height(), right.signed_height());
+            let (left_height, right_height) = (left.whole_height(), right.whole_height());
             let event_row = event_row.min(end);
             let (left_ends, right_ends) = loop {
                 let (left_ends, right_ends) = (left.step_ends(), right.step_ends());
@@ -86,4 +98,33 @@ pub(super) fn cover_all<E, C: CountedEdges>(
         row += 1;
     }
     Ok(())
+}
+
+/// The edges of two chains that go on in a row or below it, where no other chain begins or goes on in the row.
+#[inline(always)]
+fn two_chains<'s>(
+    chains: &Chains<'_>,
+    segments: &'s mut VecView<RowSegment>,
+    row: i32,
+) -> Option<&'s mut [RowSegment; 2]> {
+    let pair = <&mut [RowSegment; 2]>::try_from(segments.as_mut_slice()).ok()?;
+    let go_on = pair.iter().all(|segment| segment.end_y() >= row * Y_ONE);
+    (go_on && row < chains.first_row()).then_some(pair)
+}
+
+/// Goes on along two chains to the bottom of a row, and adds the parts of their edges in the row. Returns the next row in which
+/// an edge begins or ends.
+#[inline(never)]
+fn go_on(chains: &Chains<'_>, pair: &mut [RowSegment; 2], row: i32, parts: &mut RowParts<'_>) -> i32 {
+    let [left, right] = pair;
+    let walk = ChainWalk::to(row);
+    let goes_on = walk.step_down(chains, left, parts) & walk.step_down(chains, right, parts);
+    if left.x_bottom > right.x_bottom {
+        core::mem::swap(left, right);
+    }
+    if goes_on {
+        left.last_row().min(right.last_row()).min(chains.first_row())
+    } else {
+        row + 1
+    }
 }

@@ -2,6 +2,7 @@
 
 mod active_edge;
 pub(crate) mod antialiased_edge;
+pub(crate) mod chain_walk;
 pub(crate) mod monotone_chains;
 mod row_segment;
 pub(crate) mod row_segments;

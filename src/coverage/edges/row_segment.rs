@@ -150,6 +150,8 @@ impl RowSegment {
     pub(crate) fn step_to(&mut self, row: i32, bottom_x: i32) {
         self.y_top = 0;
         if self.last_row() > row {
+            // Whoever went from edge to edge along a chain left the end of another one here.
+            self.y_bottom = Y_ONE;
             self.step();
         } else {
             self.x_top = self.x_bottom;
@@ -174,11 +176,19 @@ impl RowSegment {
         [top.min(bottom), top.max(bottom)]
     }
 
-    /// Steps to the next row of pixels, as [`step`](Self::step) does, once [`step_ends`](Self::step_ends) returned these ends.
+    /// The height of a row times the winding number, in 1/16384 pixel: the height that the segment has in a row that it passes.
+    #[inline(always)]
+    pub(crate) fn whole_height(&self) -> i32 {
+        self.winding << COVER_BITS
+    }
+
+    /// Steps to the next row of pixels, which the edge passes, as [`step`](Self::step) does, once
+    /// [`step_ends`](Self::step_ends) returned these ends, from whatever segment the edge has above.
     #[inline]
     pub(crate) fn go_between(&mut self, [left, right]: [i32; 2]) {
         self.x_top = if self.x_bottom == left { right } else { left };
         (self.left, self.right) = (left, right);
+        self.signed_height = self.whole_height() as i16;
     }
 
     /// Makes the segment stand for an edge of its chain that ended at `end_y`, the bottom of the row, so that its successor
