@@ -28,8 +28,6 @@ pub(super) const AREA_ONE: i32 = 1 << AREA_BITS;
 pub(super) struct AccumulationBuffer<'c> {
     pub(super) cells: &'c mut [i32],
     pub(super) columns: Range<i32>,
-    /// The left side of the row, in 1/8192 pixel.
-    left: i32,
 }
 
 /// The columns, or as many of the first ones as there are cells for, and the cells of them: one more than columns, for what
@@ -59,11 +57,7 @@ impl<'c> AccumulationBuffer<'c> {
     /// A buffer for the columns, with a cell for each and one more.
     #[inline(always)]
     pub(super) fn of(columns: Range<i32>, cells: &'c mut [i32]) -> Self {
-        Self {
-            cells,
-            left: columns.start * X_ONE,
-            columns,
-        }
+        Self { cells, columns }
     }
 
     /// Adds the cells of a part of an edge between `x_top` and `x_bottom`, in 1/8192 pixel. `height` is in 1/16384 pixel,
@@ -110,7 +104,7 @@ impl<'c> AccumulationBuffer<'c> {
                 return;
             }
         }
-        let left = Wrapping(self.left);
+        let left = Wrapping(self.columns.start) * Wrapping(X_ONE);
         let ends = [start, end].map(|x| (Wrapping(x) - left).0);
         let width = self.columns.end - self.columns.start;
         for_each_visible(ends, height, width, |cell| {

@@ -14,5 +14,6 @@ mod unordered_row;
 pub(crate) use cell::{AREA_BITS, Cell, for_each_visible as for_each_visible_cell};
 pub(crate) use combined_area::{Combination, CombinedArea};
 pub use inside_area::InsideArea;
+pub(crate) use row_parts::RowParts;
 pub use signed_area::SignedArea;
 pub(crate) use unordered_row::UnorderedRow;

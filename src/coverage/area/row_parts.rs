@@ -35,21 +35,21 @@ struct Part {
 /// The most parts that are kept in order.
 const MOST: usize = 8;
 
-/// No columns: the first one is right of all others.
-const NOWHERE: [i32; 2] = [i32::MAX, i32::MIN];
+/// No columns.
+const NOWHERE: [i16; 2] = [i16::MAX, i16::MIN];
 
 /// The parts of edges in a row.
-pub(super) struct RowParts<'c> {
+pub(crate) struct RowParts<'c> {
     parts: Vec<Part, MOST>,
-    buffer: AccumulationBuffer<'c>,
+    pub(super) buffer: AccumulationBuffer<'c>,
     /// The columns in which the first and the last part lie that went into the buffer because they were too many.
-    in_buffer: [i32; 2],
+    in_buffer: [i16; 2],
 }
 
 impl<'c> RowParts<'c> {
     /// No parts yet, and the columns that are drawn, with a cell for each and one more.
     #[inline(always)]
-    pub(super) fn new(columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
+    pub(crate) fn new(columns: &Range<i32>, cells: &'c mut [i32]) -> Self {
         Self {
             parts: Vec::new(),
             buffer: AccumulationBuffer::of(columns.clone(), cells),
@@ -57,12 +57,30 @@ impl<'c> RowParts<'c> {
         }
     }
 
+    /// Puts a part between the others, or makes room for it.
+    #[inline(never)]
+    fn insert(&mut self, mut part: Part) {
+        if self.parts.is_full() {
+            self.empty_into_buffer();
+        }
+        // Each of those further right moves on by one.
+        for other in &mut self.parts {
+            if other.ends[0] > part.ends[0] {
+                core::mem::swap(other, &mut part);
+            }
+        }
+        let pushed = self.parts.push(part);
+        debug_assert!(pushed.is_ok(), "room was made");
+    }
+
     /// Puts all parts into the buffer.
     #[cold]
     fn empty_into_buffer(&mut self) {
-        let ([first, last], [start, end]) = (self.in_buffer, add_all(&self.parts, &mut self.buffer));
-        self.in_buffer = [first.min(start), last.max(end)];
+        let columns = add_all(&self.parts, &mut self.buffer);
         self.parts.clear();
+        let [start, end] = around(self.in_buffer, columns);
+        // In the domain, whose columns fit 16 bits.
+        self.in_buffer = [start as i16, end as i16];
     }
 
     /// Emits the spans of the row, and takes all parts out.
@@ -96,48 +114,43 @@ impl<'c> RowParts<'c> {
         emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
         let mut current = CurrentCell::NOTHING;
-        if self.in_buffer != NOWHERE {
-            self.empty_into_buffer();
-            let columns = core::mem::replace(&mut self.in_buffer, NOWHERE);
-            current = sweep_cluster(columns, &mut self.buffer, current, &coverage, emit)?;
-        }
         let mut parts = self.parts.as_slice();
         while let [part, others @ ..] = parts {
             let Part { ends, height } = *part;
             let ends_before = |next: &Part| ends[1] >> X_BITS <= next.ends[0] >> X_BITS;
-            if others.first().is_none_or(ends_before) && ends.into_iter().all(|x| sides.are_around(x)) {
+            let is_alone = others.first().is_none_or(ends_before) && self.in_buffer == NOWHERE;
+            if is_alone && ends.into_iter().all(|x| sides.are_around(x)) {
                 current.go_to(ends[0] >> X_BITS, &coverage, emit)?;
                 current.pass(ends, height, &coverage, emit)?;
                 parts = others;
-            } else {
-                let (cluster, others) = parts.split_at_checked(overlapping(parts)).unwrap_or_default();
-                let columns = add_all(cluster, &mut self.buffer);
-                current = sweep_cluster(columns, &mut self.buffer, current, &coverage, emit)?;
-                parts = others;
+                continue;
             }
+            let in_buffer = core::mem::replace(&mut self.in_buffer, NOWHERE);
+            let in_cluster = if in_buffer == NOWHERE {
+                overlapping(parts)
+            } else {
+                parts.len()
+            };
+            let (cluster, others) = parts.split_at_checked(in_cluster).unwrap_or_default();
+            let columns = around(in_buffer, add_all(cluster, &mut self.buffer));
+            current = sweep_cluster(columns, &mut self.buffer, current, &coverage, emit)?;
+            parts = others;
         }
         current.emit_pixel(coverage, emit)
     }
 }
 
 impl PartSink for RowParts<'_> {
-    #[inline(always)]
+    #[inline]
     fn add_part(&mut self, (top, bottom): (i32, i32), height: i32) {
-        let ends = [top.min(bottom), top.max(bottom)];
-        if self.parts.is_full() {
-            self.empty_into_buffer();
+        let part = Part {
+            ends: [top.min(bottom), top.max(bottom)],
+            height,
+        };
+        let is_last = self.parts.last().is_none_or(|last| last.ends[0] <= part.ends[0]);
+        if !is_last || self.parts.push(part).is_err() {
+            self.insert(part);
         }
-        let mut part = Part { ends, height };
-        if self.parts.last().is_some_and(|last| last.ends[0] > ends[0]) {
-            // Each of those further right moves on by one.
-            for other in &mut self.parts {
-                if other.ends[0] > part.ends[0] {
-                    core::mem::swap(other, &mut part);
-                }
-            }
-        }
-        let pushed = self.parts.push(part);
-        debug_assert!(pushed.is_ok(), "room was made");
     }
 }
 
@@ -153,10 +166,15 @@ fn overlapping(parts: &[Part]) -> usize {
     share.count()
 }
 
+/// From the first to the last of some columns and others.
+fn around([start, end]: [i16; 2], [first, last]: [i32; 2]) -> [i32; 2] {
+    [first.min(start.into()), last.max(end.into())]
+}
+
 /// Adds the cells of parts to the buffer. Returns the columns of their leftmost and their rightmost end.
 #[inline(never)]
 fn add_all(parts: &[Part], buffer: &mut AccumulationBuffer<'_>) -> [i32; 2] {
-    parts.iter().fold(NOWHERE, |[first, last], part| {
+    parts.iter().fold([i32::MAX, i32::MIN], |[first, last], part| {
         let [start, end] = part.ends;
         buffer.add(start, end, part.height);
         [first.min(start >> X_BITS), last.max(end >> X_BITS)]

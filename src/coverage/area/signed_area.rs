@@ -19,8 +19,9 @@ use crate::{
         Coverage, CoverageMethod, Emit, EmitRows,
         area::{
             accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of_size, in_room},
+            row_parts::RowParts,
             siblings::dense_rows,
-            sparse_row::{CountedEdges, cover},
+            sparse_row::{ColumnSides, CountedEdges, cover},
             sparse_rows::cover_all,
         },
         edges::{RowSegment, Rows, X_ONE},
@@ -32,6 +33,18 @@ use crate::{
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SignedArea;
+
+impl SignedArea {
+    /// Hands over what the parts of a row cover by the nonzero rule, in spans from left to right, and takes all parts out.
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    #[inline(always)]
+    pub(crate) fn cover_parts<E>(parts: &mut RowParts<'_>, emit: &mut impl Emit<E>) -> Result<(), E> {
+        let sides = ColumnSides::of(&parts.buffer.columns);
+        parts.cover(sides, coverage_by(FillRule::NonZero), emit)
+    }
+}
 
 impl CoverageMethod for SignedArea {
     type Cell = i32;

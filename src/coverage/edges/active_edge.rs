@@ -9,7 +9,8 @@ use core::num::Wrapping;
 
 use crate::coverage::edges::{
     antialiased_edge::{AntialiasedEdge, fine},
-    row_segment::{RowSegment, Y_ONE},
+    chain_walk::PartSink,
+    row_segment::{COVER_SHIFT, RowSegment, Y_ONE},
 };
 
 /// An edge that has begun, as it is at the bottom of a row.
@@ -69,6 +70,56 @@ impl ActiveEdge {
             edge: segment.edge,
             bottom_x_and_direction: bottom_x << 1 | i32::from(segment.winding < 0),
         }
+    }
+
+    /// An edge that begins in a row and passes its bottom, a number of 1/256 pixels below the edge's top, and that has an index
+    /// in its outline. It is as it is there. Cost: two divisions.
+    #[inline]
+    pub(crate) fn begin(edge: &AntialiasedEdge, index: u32, height: i32) -> Self {
+        let [[top_x, top], [bottom_x, bottom]] = edge.ends();
+        let whole_height = bottom - top;
+        let (step, error_step) = edge.step_of(height);
+        let mut active = Self {
+            x: fine(top_x),
+            error: (whole_height >> 1) - whole_height,
+            step,
+            error_step,
+            height: whole_height,
+            edge: (index, bottom),
+            bottom_x_and_direction: bottom_x << 1 | i32::from(edge.winding() < 0),
+        };
+        active.step();
+        if whole_height - height > Y_ONE {
+            (active.step, active.error_step) = edge.step_of(Y_ONE);
+        }
+        active
+    }
+
+    /// An edge that ends at the bottom of a row: what is asked for to find its successor.
+    #[inline]
+    pub(crate) fn ended(edge: &AntialiasedEdge, index: u32) -> Self {
+        let [_, [bottom_x, bottom]] = edge.ends();
+        Self {
+            x: fine(bottom_x),
+            edge: (index, bottom),
+            bottom_x_and_direction: bottom_x << 1 | i32::from(edge.winding() < 0),
+            ..Self::RESERVED
+        }
+    }
+
+    /// Moves to the bottom of the next row, in which the edge must lie, and adds its part there. `row_bottom` is the y of that
+    /// bottom, in 1/256 pixel.
+    #[inline(always)]
+    pub(crate) fn add_next_part(&mut self, row_bottom: i32, parts: &mut impl PartSink) {
+        let (top, mut height) = (self.x, Y_ONE);
+        if self.edge.1 > row_bottom {
+            self.step();
+        } else {
+            self.x = fine(self.bottom_x_and_direction >> 1);
+            height += self.edge.1 - row_bottom;
+        }
+        let height = height << COVER_SHIFT;
+        parts.add_part((top, self.x), if self.runs_up() { -height } else { height });
     }
 
     /// The edge's index in its outline.

@@ -237,7 +237,11 @@ impl AntialiasedEdge {
             let (x, y) = (x.wrapping_sub(edge.top[0]), y.wrapping_sub(edge.top[1]));
             (i64::from(width) * i64::from(y) - i64::from(height) * i64::from(x)).signum()
         };
-        if self.bottom[1] < other.top[1] || other.bottom[1] < self.top[1] {
+        // Most edges lie beside each other.
+        let columns = |edge: &Self| [edge.top[0].min(edge.bottom[0]), edge.top[0].max(edge.bottom[0])];
+        let ([left, right], [other_left, other_right]) = (columns(self), columns(other));
+        let are_beside = right < other_left || other_right < left;
+        if are_beside || self.bottom[1] < other.top[1] || other.bottom[1] < self.top[1] {
             return false;
         }
         let ends = [self.top, self.bottom];
@@ -355,7 +359,7 @@ impl AntialiasedEdge {
     /// How far the edge moves in x over a height, which is in 1/256 pixel and at most a pixel: the distance in 1/8192
     /// pixel, 1 more than rounded down, and the remainder for the error term.
     #[inline]
-    fn step_of(&self, height: i32) -> (i32, i32) {
+    pub(super) fn step_of(&self, height: i32) -> (i32, i32) {
         let [width, edge_height] = self.size();
         // Widths are below 2^22, so that the product fits.
         divide(width * height, edge_height)

@@ -65,7 +65,7 @@ impl ChainWalk {
 
     /// Hands over the parts in the row of a chain whose edge ends in it or ended at its top. Returns whether the chain goes on
     /// below; then the entry stands for the edge that does.
-    #[inline(always)]
+    #[inline]
     fn go_on(&self, chains: &Chains<'_>, entry: &mut RowSegment, parts: &mut impl PartSink) -> bool {
         let height = entry.end_y() - self.row_bottom + Y_ONE;
         let index = entry.edge_index();
@@ -144,6 +144,6 @@ impl ChainWalk {
 
 /// A height in 1/256 pixel, with the sign of a winding number, in 1/16384 pixel.
 #[inline(always)]
-fn signed(height: i32, winding: i32) -> i32 {
+pub(crate) fn signed(height: i32, winding: i32) -> i32 {
     (height << COVER_SHIFT) * winding
 }

@@ -4,7 +4,7 @@ use core::{fmt, ops::Range};
 
 use crate::{
     coverage::{
-        ByReference, CoverageMethod, Emit,
+        ByReference, CoverageMethod, Emit, RowParts,
         edges::{ActiveEdge, RowSegment},
     },
     draw::{FillRule, antialiased::DOMAIN},
@@ -192,6 +192,19 @@ impl RowMemory<'_> {
             method.cover_row(segments, fill_rule, strip, self.cells, ByReference(emit))?;
         }
         Ok(())
+    }
+
+    /// A list for the parts of edges in some columns, without those outside the domain; `None` where there are not a cell for each
+    /// column and one more.
+    #[inline(always)]
+    pub(super) fn parts_in<'c>(cells: &'c mut [i32], columns: &Range<i32>) -> Option<RowParts<'c>> {
+        let columns = columns.start.max(DOMAIN.start)..columns.end.min(DOMAIN.end);
+        if columns.is_empty() {
+            return None;
+        }
+        // In the domain, so that the difference is in the number range.
+        let width = (columns.end - columns.start) as usize;
+        Some(RowParts::new(&columns, cells.get_mut(..=width)?))
     }
 
     /// Reserves so many edges side by side, the first ones that are free, and returns the index of the first one. Cost: as

@@ -4,8 +4,11 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        CoverageMethod, Emit,
-        edges::{ActiveEdge, RowSegment, X_BITS, Y_ONE},
+        CoverageMethod, Emit, RowParts, SignedArea,
+        edges::{
+            ActiveEdge, AntialiasedEdge, RowSegment, X_BITS, Y_ONE,
+            chain_walk::{PartSink, signed},
+        },
     },
     draw::{
         antialiased::DOMAIN,
@@ -95,7 +98,13 @@ impl Progress {
         if is_cut && self.passes_by(outline, memory, row, &columns) {
             return Ok(());
         }
-        let count = self.go_to(outline, memory, row);
+        if outline.is_signed() {
+            if let Some(mut parts) = RowMemory::parts_in(memory.cells, &columns) {
+                self.go_to(outline, memory.edges, row, &mut parts);
+                return SignedArea::cover_parts(&mut parts, emit);
+            }
+        }
+        let count = self.make_segments(outline, memory, row);
         memory.cover_columns(count, &outline.method(), outline.fill_rule(), columns, emit)
     }
 
@@ -110,7 +119,7 @@ impl Progress {
         columns: Range<i32>,
         emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
-        let count = self.go_to(outline, memory, row);
+        let count = self.make_segments(outline, memory, row);
         memory.cover_columns(count, method, outline.fill_rule(), columns, emit)
     }
 
@@ -153,26 +162,37 @@ impl Progress {
     }
 
     /// Makes the segments of a row, from left to right, and returns how many they are.
-    #[inline(never)]
-    fn go_to(&mut self, outline: StoredOutline<'_>, memory: &mut RowMemory<'_>, row: i32) -> usize {
+    #[inline(always)]
+    fn make_segments(&mut self, outline: StoredOutline<'_>, memory: &mut RowMemory<'_>, row: i32) -> usize {
         let mut segments = Segments::new(memory.segments);
+        self.go_to(outline, memory.edges, row, &mut segments);
+        let (were_sorted, count) = (!segments.sort(), segments.count);
+        if !were_sorted && self.first_edge != NONE {
+            let edges = memory.edges_at(self.first_edge, self.edges);
+            insertion_sort(edges, 1, ActiveEdge::x);
+        }
+        count
+    }
+
+    /// Goes on to the bottom of a row, and adds the parts of edges in it.
+    #[inline(never)]
+    fn go_to(&mut self, outline: StoredOutline<'_>, edges: &mut [ActiveEdge], row: i32, parts: &mut impl EdgeParts) {
         if self.first_edge == NONE {
-            begin_all(outline, row, &mut segments);
-            segments.sort();
-            return segments.count;
+            begin_all(outline, row, parts);
+            return;
         }
         let first = usize::from(self.first_edge);
         let most = usize::from(outline.most_chains());
-        let edges = memory.edges.get_mut(first..first + most).unwrap_or_default();
+        let edges = edges.get_mut(first..first + most).unwrap_or_default();
         let mut kept = 0;
         let row_bottom = (row + 1) * Y_ONE;
         for index in 0..usize::from(self.edges) {
             let Some(edge) = edges.get_mut(index) else { break };
             let [_, end] = edge.bottom();
             if end > row_bottom {
-                segments.push(edge.next_segment(row_bottom));
+                parts.add_next(edge, row_bottom);
             } else {
-                match go_on(outline, *edge, row, &mut segments) {
+                match go_on(outline, *edge, row, parts) {
                     Some(next) => *edge = next,
                     None => continue,
                 }
@@ -189,18 +209,77 @@ impl Progress {
             let Some(chain) = outline.chain(self.next_chain) else {
                 break;
             };
-            if let Some(edge) = begin(outline, chain, row, &mut segments) {
+            if let Some(edge) = begin(outline, chain, row, parts) {
                 insert(edges, kept, edge);
                 kept += 1;
             }
             self.wait_for(outline, chain.next);
         }
         self.edges = kept as u16;
-        if segments.sort() {
-            let edges = edges.get_mut(..kept).unwrap_or_default();
-            insertion_sort(edges, 1, ActiveEdge::x);
+    }
+}
+
+/// Takes the parts of edges that lie in a row.
+trait EdgeParts {
+    /// Moves an edge to the bottom of the next row, in which it must lie, and adds its part there.
+    fn add_next(&mut self, edge: &mut ActiveEdge, row_bottom: i32);
+
+    /// Adds the part of an edge that begins in a row or above, and passes its bottom. Returns the edge as it is there.
+    fn begin(&mut self, ends: &AntialiasedEdge, index: u32, row: i32) -> ActiveEdge;
+
+    /// Adds the part of an edge that begins in a row or above, and ends in the row.
+    fn add_to_end(&mut self, ends: &AntialiasedEdge, index: u32, row: i32);
+}
+
+impl EdgeParts for Segments<'_> {
+    #[inline(always)]
+    fn add_next(&mut self, edge: &mut ActiveEdge, row_bottom: i32) {
+        self.push(edge.next_segment(row_bottom));
+    }
+
+    #[inline(always)]
+    fn begin(&mut self, ends: &AntialiasedEdge, index: u32, row: i32) -> ActiveEdge {
+        let segment = ends.begin_at(index, row);
+        self.push(segment);
+        ActiveEdge::below(&segment, ends)
+    }
+
+    #[inline(always)]
+    fn add_to_end(&mut self, ends: &AntialiasedEdge, index: u32, row: i32) {
+        self.push(ends.begin_at(index, row));
+    }
+}
+
+impl EdgeParts for RowParts<'_> {
+    #[inline(always)]
+    fn add_next(&mut self, edge: &mut ActiveEdge, row_bottom: i32) {
+        edge.add_next_part(row_bottom, self);
+    }
+
+    #[inline(always)]
+    fn begin(&mut self, ends: &AntialiasedEdge, index: u32, row: i32) -> ActiveEdge {
+        let [[_, top], _] = ends.ends();
+        if top < row * Y_ONE {
+            let segment = ends.begin_at(index, row);
+            self.add_part((segment.x_top, segment.x_bottom), segment.signed_height());
+            return ActiveEdge::below(&segment, ends);
         }
-        segments.count
+        let height = (row + 1) * Y_ONE - top;
+        let edge = ActiveEdge::begin(ends, index, height);
+        let [top, _] = ends.ends_x();
+        self.add_part((top, edge.x()), signed(height, ends.winding()));
+        edge
+    }
+
+    #[inline(always)]
+    fn add_to_end(&mut self, ends: &AntialiasedEdge, index: u32, row: i32) {
+        let [[_, top], [_, bottom]] = ends.ends();
+        let ([mut from, to], mut height) = (ends.ends_x(), bottom - top);
+        if top < row * Y_ONE {
+            from = ends.begin_at(index, row).x_top;
+            height = bottom - row * Y_ONE;
+        }
+        self.add_part((from, to), signed(height, ends.winding()));
     }
 }
 
@@ -255,32 +334,27 @@ fn insert(edges: &mut [ActiveEdge], count: usize, mut edge: ActiveEdge) {
     }
 }
 
-/// Makes the segments that a row has of all chains, none of which goes on.
-fn begin_all(outline: StoredOutline<'_>, row: i32, segments: &mut Segments<'_>) {
+/// Adds the parts that a row has of all chains, none of which goes on.
+fn begin_all(outline: StoredOutline<'_>, row: i32, parts: &mut impl EdgeParts) {
     for chain in outline.chains().take_while(|&chain| outline.first_row(chain) <= row) {
-        begin(outline, chain, row, segments);
+        begin(outline, chain, row, parts);
     }
 }
 
-/// Makes the segments that a row has of a chain which begins in the row or above. Returns the edge that goes on below.
-fn begin(outline: StoredOutline<'_>, chain: Chain, row: i32, segments: &mut Segments<'_>) -> Option<ActiveEdge> {
+/// Adds the parts that a row has of a chain which begins in the row or above. Returns the edge that goes on below.
+fn begin(outline: StoredOutline<'_>, chain: Chain, row: i32, parts: &mut impl EdgeParts) -> Option<ActiveEdge> {
     let (edge, ends) = outline.edge_at(chain, row)?;
-    add_from(outline, edge, ends, row, segments)
+    add_from(outline, edge, ends, row, parts)
 }
 
-/// Makes the segments that a row has of an edge which goes on in it and ends there, or ended above it, and of those below.
-/// Returns the edge that goes on below the row.
+/// Adds the parts that a row has of an edge which goes on in it and ends there, or ended above it, and of those below. Returns
+/// the edge that goes on below the row.
 #[inline(never)]
-fn go_on(
-    outline: StoredOutline<'_>,
-    mut edge: ActiveEdge,
-    row: i32,
-    segments: &mut Segments<'_>,
-) -> Option<ActiveEdge> {
+fn go_on(outline: StoredOutline<'_>, mut edge: ActiveEdge, row: i32, parts: &mut impl EdgeParts) -> Option<ActiveEdge> {
     let row_bottom = (row + 1) * Y_ONE;
     let bottom = edge.bottom();
     if bottom[1] > row * Y_ONE {
-        segments.push(edge.next_segment(row_bottom));
+        parts.add_next(&mut edge, row_bottom);
     }
     let this = ChainEdge::of(edge.index(), edge.runs_up());
     this.successor()?;
@@ -288,29 +362,28 @@ fn go_on(
         return Some(edge);
     }
     let (successor, ends) = outline.next_edge(this, bottom)?;
-    add_from(outline, successor, ends, row, segments)
+    add_from(outline, successor, ends, row, parts)
 }
 
-/// Makes the segments that a row has of an edge and those below it in its chain. Returns the edge that goes on below the row.
+/// Adds the parts that a row has of an edge and those below it in its chain. Returns the edge that goes on below the row.
 fn add_from(
     outline: StoredOutline<'_>,
     mut edge: ChainEdge,
-    mut ends: crate::coverage::edges::AntialiasedEdge,
+    mut ends: AntialiasedEdge,
     row: i32,
-    segments: &mut Segments<'_>,
+    parts: &mut impl EdgeParts,
 ) -> Option<ActiveEdge> {
     let row_bottom = (row + 1) * Y_ONE;
     loop {
-        let segment = ends.begin_at(edge.index(), row);
-        segments.push(segment);
-        if segment.end_y() > row_bottom {
-            return Some(ActiveEdge::below(&segment, &ends));
-        }
-        if segment.end_y() == row_bottom {
-            // The successor begins in the next row.
-            return edge.successor().map(|_| ActiveEdge::below(&segment, &ends));
-        }
         let [_, bottom] = ends.ends();
+        if bottom[1] > row_bottom {
+            return Some(parts.begin(&ends, edge.index(), row));
+        }
+        parts.add_to_end(&ends, edge.index(), row);
+        if bottom[1] == row_bottom {
+            // The successor begins in the next row.
+            return edge.successor().map(|_| ActiveEdge::ended(&ends, edge.index()));
+        }
         (edge, ends) = outline.next_edge(edge, bottom)?;
     }
 }

@@ -213,6 +213,12 @@ impl<'w> StoredOutline<'w> {
         }
     }
 
+    /// Whether the signed area is exact for the outline and takes least, by the nonzero rule.
+    #[inline(always)]
+    pub(super) fn is_signed(&self) -> bool {
+        self.word(0) & EVEN_ODD == 0 && self.method() == AnyCoverage::SignedArea
+    }
+
     /// The position of the chain that begins first.
     #[inline(always)]
     pub(super) fn first_chain(&self) -> u16 {
