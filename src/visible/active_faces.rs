@@ -87,6 +87,9 @@ impl<S: ScreenPrecision, H: Shading, const N: usize> ActiveFaces<[ActiveFace<S, 
 }
 
 impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
+    /// Whether rows may be filled without depths. Where attributes are divided by the depth, faces need their planes anyway.
+    const MAY_BE_DISJOINT: bool = !H::Attributes::NEED_DEPTH;
+
     /// The faces that there is room for in one row.
     pub(crate) const fn capacity(&self) -> usize {
         self.slots.len()
@@ -124,7 +127,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     {
         // Nothing but the faces is compared with the depths: a row without faces and silhouettes needs none.
         let only_faces = depth_use == DepthUse::WhereFacesMayOverlap;
-        let may_be_disjoint = only_faces && !H::Attributes::NEED_DEPTH && !steps_at_end::<_, _, _, F>();
+        let may_be_disjoint = only_faces && Self::MAY_BE_DISJOINT && !steps_at_end::<_, _, _, F>();
         if !self.is_at(row) || (self.disjoint && !may_be_disjoint) {
             self.first_column = row.left;
             self.enter(faces, row.y, may_be_disjoint);
@@ -133,7 +136,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         }
         self.next_row = row.y + 1;
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
-        while self.disjoint {
+        while Self::MAY_BE_DISJOINT && self.disjoint {
             if self.fill_spans(faces, row) {
                 self.rows_without_depth += 1;
                 return;
@@ -413,7 +416,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             self.begin_row(faces, earlier, false);
             self.enter_begun(faces, first, row);
         }
-        if self.disjoint {
+        if Self::MAY_BE_DISJOINT && self.disjoint {
             for slot in 0..self.used {
                 self.put_in_order_of_columns(slot);
             }
@@ -453,7 +456,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         };
         while waiting != NONE {
             if let Some(begun) = self.begin(faces, waiting, &surroundings) {
-                if in_order {
+                if Self::MAY_BE_DISJOINT && in_order {
                     self.put_in_order_of_columns(begun);
                 }
             }
