@@ -197,11 +197,11 @@ impl SmallFace {
 }
 
 impl SmallPlane {
-    /// The plane with this value at a corner, half a unit above it.
+    /// The plane with this value at a corner.
     #[inline]
     pub(super) fn through(self, position: Position, value: i32) -> ScreenPlane {
         ScreenPlane {
-            origin: Wrapping((value << 16) as u32 + (1 << 15)) - self.origin_to(position),
+            origin: Wrapping((value << 16) as u32) - self.origin_to(position),
             per_column: Wrapping(self.per_column as u32),
             per_row: Wrapping(self.per_row as u32),
         }
@@ -271,8 +271,8 @@ fn wide_plane<S: ScreenPrecision, D: DepthWidth>(sides: &Sides, values: [i32; 3]
     }
 }
 
-/// The plane of an attribute of any face, with 16 fractional bits and half a unit above its corners, by long divisions. The
-/// sides are those of rows that begin at column 0.
+/// The plane of an attribute of any face, with 16 fractional bits, by long divisions. The sides are those of rows that begin at
+/// column 0.
 #[cold]
 #[inline(never)]
 pub(super) fn wide_attribute_plane<S: ScreenPrecision>(
@@ -282,7 +282,7 @@ pub(super) fn wide_attribute_plane<S: ScreenPrecision>(
     first_column: i32,
 ) -> ScreenPlane {
     let anchored = wide_plane::<S, u16>(sides, values, viewport);
-    let mut plane = anchored.with_value((values[0] << 16) as u32 + (1 << 15));
+    let mut plane = anchored.with_value((values[0] << 16) as u32);
     plane.origin = plane.at(first_column, 0);
     plane
 }

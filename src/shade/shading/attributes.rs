@@ -115,8 +115,7 @@ pub struct Run<V> {
 
 /// A face whose attributes are set up: the planes through its corners.
 pub trait PlaneSource {
-    /// The plane through three numbers below 2^15 in size, one a corner, with 16 fractional bits, half a unit above the
-    /// numbers.
+    /// The plane through three numbers below 2^15 in size, one a corner, with 16 fractional bits.
     fn plane(&self, corners: [i32; 3]) -> ScreenPlane;
 
     /// The depths of the corners, as 32-bit fractions.
@@ -227,6 +226,8 @@ impl<const N: usize> Planes for [i16; N] {
         let corners = a.iter().zip(b).zip(c);
         for (plane, ((a, b), c)) in planes.iter_mut().zip(corners) {
             *plane = face.plane([(*a).into(), (*b).into(), (*c).into()]);
+            // Half a unit, so that the upper 16 bits are the nearest whole number.
+            plane.origin += 1 << 15;
         }
     }
 

@@ -115,7 +115,7 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         if is_nearly_even(corners, depths, tolerance) {
             set_up.exponent = None;
             for (plane, values) in set_up.planes.iter_mut().zip(by_attribute(corners)) {
-                *plane = without_half(face.plane(values.map(i32::from)));
+                *plane = face.plane(values.map(i32::from));
             }
             return;
         }
@@ -139,7 +139,7 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         let exponent = 49u32.saturating_sub(greatest.leading_zeros());
         let rounded = |product: i64| ((product + ((1 << exponent) >> 1)) >> exponent).clamp(-0x7fff, 0x7fff) as i32;
         for (plane, products) in set_up.planes.iter_mut().zip(all()) {
-            *plane = without_half(face.plane(products.map(rounded)));
+            *plane = face.plane(products.map(rounded));
         }
         set_up.base = base;
         set_up.exponent = Some(exponent as u8);
@@ -205,14 +205,6 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
     }
 }
 
-/// A plane without the half unit above its corners.
-fn without_half(plane: ScreenPlane) -> ScreenPlane {
-    ScreenPlane {
-        origin: plane.origin - Wrapping(1 << 15),
-        ..plane
-    }
-}
-
 /// The values of each attribute at three corners.
 fn by_attribute<const N: usize>([a, b, c]: [&[i16; N]; 3]) -> impl Iterator<Item = [i16; 3]> {
     a.iter().zip(b).zip(c).map(|((a, b), c)| [*a, *b, *c])
@@ -237,6 +229,18 @@ fn is_nearly_even<const N: usize>([a, b, c]: [&[i16; N]; 3], [d1, d2, d3]: [u32;
     let least = d1.min(d2).min(d3);
     // Below 2^50.
     let most = 4 * u64::from(tolerance) * u64::from(least);
+    // Most faces are far from the limit. The bits of a negative difference are those of one less, and between the two other
+    // corners a difference may be twice as great.
+    let size = |from: i16, to: i16| {
+        let difference = i32::from(to) - i32::from(from);
+        (difference ^ (difference >> 31)) as u32
+    };
+    let corners = a.iter().zip(b).zip(c);
+    let bits = corners.fold(0, |bits, ((a, b), c)| bits | size(*a, *b) | size(*a, *c));
+    // Below 2^18 and 2^32.
+    if u64::from(2 * (bits + 1)) * u64::from(d1.max(d2).max(d3) - least) <= most {
+        return true;
+    }
     let is_near = |one: &[i16; N], other: &[i16; N], depth: u32| {
         let greatest = one
             .iter()
