@@ -129,8 +129,8 @@ pub(super) struct Surroundings<'v, P = ()> {
 }
 
 impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
-    /// Sets up the edges of a face for its first row, and its depth plane if it has no attributes, from its corners, clockwise,
-    /// as far as it is small. Returns the parts that are left.
+    /// Sets up the edges of a face without attributes for its first row, and its depth plane, from its corners, clockwise, as far
+    /// as it is small. Returns the parts that are left.
     // A function of its own, because it needs all registers.
     #[inline(never)]
     pub(super) fn set_up_small<D: DepthWidth>(
@@ -143,8 +143,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         let corners = from_top([a, b, c]);
         let sides = Sides::of(corners, surroundings.first_column);
         let mut left_over = NOTHING;
-        // With attributes it is set up with theirs, by one reciprocal.
-        if !surroundings.without_plane && !H::Attributes::VARY {
+        if !surroundings.without_plane {
             match DepthPlane::small(corners, &sides) {
                 Some(plane) => self.plane = plane,
                 None => left_over = PLANE,
@@ -156,6 +155,17 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             left_over |= EDGES;
         }
         left_over
+    }
+
+    /// Sets up the edges of a face for its first row, as far as they are short. Returns whether they are left.
+    #[inline(always)]
+    pub(super) fn set_up_small_edges(&mut self, sides: &Sides) -> LeftOver {
+        if !Edge::<S>::MAY_BE_SHORT {
+            self.set_up_edges::<true>(sides, row_after::<S>(sides.top.y));
+        } else if !self.set_up_short_edges(sides) {
+            return EDGES;
+        }
+        NOTHING
     }
 
     /// Sets up what is left over, from the corners as [`from_top`] has them.

@@ -531,12 +531,13 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         }
         face.node = node;
         face.word = word;
-        let left_over = face.set_up_small(a, b, c, surroundings);
+        let left_over = if H::Attributes::VARY {
+            set_up_attributes(face, faces, [a, b, c], surroundings, ActiveFace::set_up_small_edges)
+        } else {
+            face.set_up_small(a, b, c, surroundings)
+        };
         if left_over != NOTHING {
             set_up_rest(face, faces, left_over, surroundings);
-        }
-        if H::Attributes::VARY {
-            set_up_attributes(face, faces, [a, b, c], surroundings);
         }
         face.set_translucent(faces.is_translucent(node));
         Some(index)

@@ -7,7 +7,7 @@ use crate::{
     shade::{PlaneSource, Planes, Shading},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{
-        active_face::{ActiveFace, Surroundings, from_top, in_order_of_rows},
+        active_face::{ActiveFace, LeftOver, Surroundings, from_top, in_order_of_rows},
         depth_plane::{AreaReciprocal, DepthPlane, SmallFace, wide_attribute_plane},
         face_table::{FaceTable, corners_from_top},
         sides::{SamplePosition, Sides},
@@ -95,26 +95,30 @@ fn set_up_wide_depth<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     }
 }
 
-/// Sets up the planes of the depth and of the attributes of a face with these corners.
+/// Sets up the planes of the depth and of the attributes of a face with these corners, and its edges by its sides, which are the
+/// same. Returns the parts that are left.
 #[inline(never)]
 pub(super) fn set_up_attributes<S, D, H, F, P>(
     face: &mut ActiveFace<S, H>,
     faces: &F,
     corners: [&ScreenVertex<S, D>; 3],
     surroundings: &Surroundings<'_, P>,
-) where
+    set_up_edges: impl FnOnce(&mut ActiveFace<S, H>, &Sides) -> LeftOver,
+) -> LeftOver
+where
     S: ScreenPrecision,
     D: DepthWidth,
     H: Shading,
     F: FaceTable<S, D, H>,
     P: SamplePosition,
 {
-    let Some(attributes) = faces.attributes(face.node) else {
-        return;
-    };
-    let attributes = in_order_of_rows(corners, attributes);
     let from_top = from_top(corners);
     let sides = surroundings.sample.see(Sides::of(from_top, surroundings.first_column));
+    let left_over = set_up_edges(face, &sides);
+    let Some(attributes) = faces.attributes(face.node) else {
+        return left_over;
+    };
+    let attributes = in_order_of_rows(corners, attributes);
     let depths = if F::IS_ORTHOGRAPHIC {
         // Nothing has a weight: as in a face whose corners are all as far away.
         [1; 3]
@@ -147,4 +151,5 @@ pub(super) fn set_up_attributes<S, D, H, F, P>(
         }
     }
     H::Attributes::set_up(&mut face.attributes, attributes, &corners, H::TOLERANCE);
+    left_over
 }

@@ -146,12 +146,19 @@ pub(super) fn face_in_first_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     let ([a, b, c], word) = faces.face(node)?;
     let mut face = ActiveFace::EMPTY;
     (face.node, face.word) = (node, word);
-    let left_over = face.set_up_small(a, b, c, surroundings);
+    let left_over = if H::Attributes::VARY {
+        set_up_attributes(
+            &mut face,
+            faces,
+            [a, b, c],
+            surroundings,
+            ActiveFace::set_up_small_edges,
+        )
+    } else {
+        face.set_up_small(a, b, c, surroundings)
+    };
     if left_over != NOTHING {
         set_up_rest(&mut face, faces, left_over, surroundings);
-    }
-    if H::Attributes::VARY {
-        set_up_attributes(&mut face, faces, [a, b, c], surroundings);
     }
     face.set_translucent(faces.is_translucent(node));
     Some(face)

@@ -23,7 +23,7 @@ use crate::{
     view::{DepthWidth, Position, ScreenPrecision},
     visible::{
         DepthRow,
-        active_face::{ActiveFace, Surroundings, from_top},
+        active_face::{ActiveFace, NOTHING, Surroundings, from_top},
         active_faces::{ActiveList, pixels_within},
         attribute_planes::set_up_attributes,
         blended_row::blend_faces,
@@ -198,7 +198,7 @@ fn set_up<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         return;
     }
     if H::Attributes::VARY {
-        set_up_attributes(face, faces, corners, surroundings);
+        set_up_attributes(face, faces, corners, surroundings, |_, _| NOTHING);
         return;
     }
     face.plane = DepthPlane::small(from_top, &sides).unwrap_or_else(|| {
