@@ -136,6 +136,36 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         test_and_store(words, depths, shade, plane.at(start, self.y), plane.per_column)
     }
 
+    /// The pixels from a column to another one; `None` where one of them is outside the row.
+    #[inline(always)]
+    pub(super) fn pixels(&mut self, start: i32, end: i32) -> Option<&mut [C::Word]> {
+        self.words.get_mut(start as usize..end as usize)
+    }
+
+    /// Stores the depths of pixels inside the row from a column on, as long as they are nearer than the stored ones. Returns how
+    /// many pixels are left.
+    #[inline(always)]
+    pub(super) fn store_nearer(&mut self, start: i32, end: i32, plane: &DepthPlane) -> Option<usize> {
+        let depths = self.depths.get_mut(start as usize..end as usize)?;
+        Some(store_nearer(depths, plane.at(start, self.y), plane.per_column))
+    }
+
+    /// The first column from one on, and before another one, whose depth is not farther than the stored one; else the latter.
+    #[inline(always)]
+    pub(super) fn skip_farther(&self, mut start: i32, end: i32, plane: &DepthPlane) -> i32 {
+        let depths = self.depths.get(start as usize..end as usize).unwrap_or_default();
+        let mut depth = plane.at(start, self.y);
+        for stored in depths {
+            if D::from_interpolated(depth.0) >= *stored {
+                return start;
+            }
+            depth += plane.per_column;
+            start += 1;
+            core::hint::black_box(());
+        }
+        end
+    }
+
     /// Draws a pixel if it is nearer than the stored depth, or exactly as near and `first` returns `true`.
     pub(super) fn draw_pixel(&mut self, column: i32, word: C::Word, depth: D, first: impl FnOnce() -> bool) {
         let index = column as usize;
@@ -223,6 +253,23 @@ fn test_and_store<W: PixelWord, D: DepthWidth>(
         core::hint::black_box(());
     }
     None
+}
+
+/// Stores depths as long as they are nearer than the stored ones. Returns how many are left.
+#[inline(always)]
+fn store_nearer<D: DepthWidth>(depths: &mut [D], mut depth: Wrapping<u32>, per_column: Wrapping<u32>) -> usize {
+    let mut others = depths.iter_mut();
+    while let Some(stored) = others.next() {
+        let candidate = D::from_interpolated(depth.0);
+        if candidate <= *stored {
+            return others.len() + 1;
+        }
+        *stored = candidate;
+        depth += per_column;
+        // Keeps the compiler from unrolling: most spans are shorter than what it would prepare for.
+        core::hint::black_box(());
+    }
+    0
 }
 
 #[cfg(feature = "defmt")]

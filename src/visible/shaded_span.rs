@@ -71,6 +71,27 @@ where
         if !F::IS_ORTHOGRAPHIC && !H::Attributes::are_even(&face.attributes) {
             return self.draw_divided_span(face, [start, end]);
         }
+        if H::HAS_HOLES {
+            return self.draw_in_pixels(face, [start, end]);
+        }
+        if self.row.pixels(start, end).is_none() {
+            return self.draw_cut_span(face, [start, end]);
+        }
+        self.faces.count().tested((end - start) as usize);
+        let left = self.row.store_nearer(start, end, &face.plane)?;
+        if left > 0 {
+            return self.draw_rest(face, [start, end], left);
+        }
+        let skin = *self.faces.skin(face.node)?;
+        let run = H::Attributes::even_run(&face.attributes, start, end, self.row.y);
+        varying::<S, D, H, F, O>(self.faces, &skin, face.word, run).fill(self.row.pixels(start, end)?);
+        None
+    }
+
+    /// Draws the part of a span of a face that is inside the row and whose attributes step evenly, pixel by pixel: each may be a
+    /// hole.
+    #[inline(always)]
+    fn draw_in_pixels(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) -> Option<usize> {
         let (column, end) = (start.max(0), end.min(self.row.words.len() as i32));
         if column >= end {
             return None;
@@ -78,12 +99,70 @@ where
         self.faces.count().tested((end - column) as usize);
         let skin = *self.faces.skin(face.node)?;
         let run = H::Attributes::even_run(&face.attributes, column, end, self.row.y);
-        self.row.draw_run(
-            column,
-            end,
-            varying::<S, D, H, F, O>(self.faces, &skin, face.word, run),
-            &face.plane,
-        )
+        let shade = varying::<S, D, H, F, O>(self.faces, &skin, face.word, run);
+        self.row.draw_run(column, end, shade, &face.plane)
+    }
+
+    /// Draws a span of a face that is inside the row and whose attributes step evenly, where so many pixels are left from the
+    /// first one on that is not nearer than its stored depth; the depths of those before it are stored.
+    #[inline(never)]
+    fn draw_rest(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2], left: usize) -> Option<usize> {
+        let column = end - left as i32;
+        if start < column {
+            self.fill_part(face, [start, start, column], None);
+        }
+        self.draw_parts(face, [start, column, end], None)
+    }
+
+    /// Draws the part of a span of a face that is inside the row and whose attributes step evenly, of a shading without holes.
+    #[cold]
+    #[inline(never)]
+    fn draw_cut_span(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) -> Option<usize> {
+        let (column, end) = (start.max(0), end.min(self.row.words.len() as i32));
+        if column >= end {
+            return None;
+        }
+        self.faces.count().tested((end - column) as usize);
+        self.draw_parts(face, [column, column, end], None)
+    }
+
+    /// Draws the pixels of a run that is inside the row, of a shading without holes, from a column on: depths first, and then
+    /// the visible pixels. The run is `None` where attributes step evenly along the whole span.
+    #[inline(never)]
+    fn draw_parts(
+        &mut self,
+        face: &ActiveFace<S, H>,
+        [start, mut column, end]: [i32; 3],
+        run: Option<&Run<ValuesOf<H>>>,
+    ) -> Option<usize> {
+        loop {
+            column = self.row.skip_farther(column, end, &face.plane);
+            if column == end {
+                return None;
+            }
+            let left = self.row.store_nearer(column, end, &face.plane)? as i32;
+            if column + left == end {
+                return Some(left as usize);
+            }
+            self.fill_part(face, [start, column, end - left], run);
+            column = end - left;
+        }
+    }
+
+    /// Fills pixels from a column of a run to another one, without depths.
+    #[inline(never)]
+    fn fill_part(&mut self, face: &ActiveFace<S, H>, [start, column, end]: [i32; 3], run: Option<&Run<ValuesOf<H>>>) {
+        let run = match run {
+            Some(run) => {
+                let mut run = *run;
+                H::Attributes::step_by(&mut run.values, &run.per_column, column - start);
+                run
+            }
+            None => H::Attributes::even_run(&face.attributes, column, end, self.row.y),
+        };
+        if let (Some(skin), Some(pixels)) = (self.faces.skin(face.node), self.row.pixels(column, end)) {
+            varying::<S, D, H, F, O>(self.faces, skin, face.word, run).fill(pixels);
+        }
     }
 
     /// Draws a span of a face whose attributes do not step evenly.
@@ -101,11 +180,36 @@ where
             known = run.at_end;
             self.faces.count().divisions(of_start + u32::from(known.is_some()));
             let run_end = run.end.min(last);
-            let shade = varying::<S, D, H, F, O>(self.faces, &skin, face.word, run);
-            if let Some(left_over) = self.row.draw_run(column, run_end, shade, &face.plane) {
+            let left_over = if H::HAS_HOLES {
+                let shade = varying::<S, D, H, F, O>(self.faces, &skin, face.word, run);
+                self.row.draw_run(column, run_end, shade, &face.plane)
+            } else {
+                self.draw_divided_run(face, &skin, [column, run_end], &run)
+            };
+            if let Some(left_over) = left_over {
                 return Some(left_over + (last - run_end) as usize);
             }
             column = run_end;
+        }
+        None
+    }
+
+    /// Draws the pixels of a run that is inside the row, of a shading without holes: depths first, and then the visible pixels.
+    #[inline(always)]
+    fn draw_divided_run(
+        &mut self,
+        face: &ActiveFace<S, H>,
+        skin: &F::Skin,
+        [start, end]: [i32; 2],
+        run: &Run<ValuesOf<H>>,
+    ) -> Option<usize> {
+        let left = self.row.store_nearer(start, end, &face.plane)?;
+        let column = end - left as i32;
+        if start < column {
+            varying::<S, D, H, F, O>(self.faces, skin, face.word, *run).fill(self.row.pixels(start, column)?);
+        }
+        if left > 0 {
+            return self.draw_parts(face, [start, column, end], Some(run));
         }
         None
     }

@@ -16,6 +16,7 @@ mod cameras;
 mod clipped_faces;
 mod counters;
 mod depth_row;
+mod depths_first;
 mod double_sided;
 mod estimates;
 mod flight;

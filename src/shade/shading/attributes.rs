@@ -63,6 +63,9 @@ pub trait Planes: CutAttributes {
     /// Takes attributes to the next pixel of a run.
     fn step(values: &mut Self::Values, per_column: &Self::Values);
 
+    /// Takes attributes over so many pixels of a run.
+    fn step_by(values: &mut Self::Values, per_column: &Self::Values, columns: i32);
+
     /// Limits attributes to those of the corners of a face, for pixels beside it.
     fn clamp(values: &mut Self::Values, corners: [&Self; 3]);
 }
@@ -173,6 +176,9 @@ impl Planes for () {
     fn step((): &mut (), (): &()) {}
 
     #[inline]
+    fn step_by((): &mut (), (): &(), _: i32) {}
+
+    #[inline]
     fn clamp((): &mut (), _: [&(); 3]) {}
 }
 
@@ -260,6 +266,13 @@ impl<const N: usize> Planes for [i16; N] {
     fn step(values: &mut [i32; N], per_column: &[i32; N]) {
         for (value, gain) in values.iter_mut().zip(per_column) {
             *value = (Wrapping(*value) + Wrapping(*gain)).0;
+        }
+    }
+
+    #[inline]
+    fn step_by(values: &mut [i32; N], per_column: &[i32; N], columns: i32) {
+        for (value, gain) in values.iter_mut().zip(per_column) {
+            *value = (Wrapping(*value) + Wrapping(*gain) * Wrapping(columns)).0;
         }
     }
 
@@ -352,6 +365,12 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
     fn step(values: &mut Self::Values, per_column: &Self::Values) {
         A::step(&mut values.0, &per_column.0);
         B::step(&mut values.1, &per_column.1);
+    }
+
+    #[inline(always)]
+    fn step_by(values: &mut Self::Values, per_column: &Self::Values, columns: i32) {
+        A::step_by(&mut values.0, &per_column.0, columns);
+        B::step_by(&mut values.1, &per_column.1, columns);
     }
 
     fn clamp(values: &mut Self::Values, [a, b, c]: [&Self; 3]) {

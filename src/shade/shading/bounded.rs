@@ -66,6 +66,7 @@ impl<H: Shading, B: Copy + Into<BoundingVolume> + 'static> Shading for Bounded<H
     type Uniforms = H::Uniforms;
     type Attributes = H::Attributes;
     const TOLERANCE: <H::Attributes as Planes>::Tolerance = H::TOLERANCE;
+    const HAS_HOLES: bool = H::HAS_HOLES;
     const HAS_AFFINE_MAP: bool = H::HAS_AFFINE_MAP;
     const BLENDS: bool = H::BLENDS;
     const HAS_BOUNDS: bool = true;

@@ -13,6 +13,7 @@ impl<C: BandColor> Shading for C {
     type Skin<'a> = &'a [C];
     type Uniforms = ();
     type Attributes = ();
+    const HAS_HOLES: bool = false;
 
     fn check(colors: &&[C], mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         let needed = mesh.faces().len();

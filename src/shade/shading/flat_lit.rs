@@ -47,6 +47,7 @@ impl<C: ChannelColor, L: Lighting> Shading for FlatLit<C, L> {
     type Skin<'a> = FlatLitSkin<'a, C, L>;
     type Uniforms = L::OfModel;
     type Attributes = ();
+    const HAS_HOLES: bool = false;
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         let faces = mesh.faces().len();

@@ -131,6 +131,7 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
     type Attributes = (H::Attributes, Perspective<1>);
     /// A quarter of a step.
     const TOLERANCE: <Self::Attributes as Planes>::Tolerance = (H::TOLERANCE, 1 << (DISTANCE_BITS - STEP_BITS - 2));
+    const HAS_HOLES: bool = H::HAS_HOLES;
 
     fn check((skin, _): &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         H::check(skin, mesh)

@@ -50,6 +50,7 @@ impl<C: ChannelColor, L: Lighting> Shading for Gouraud<C, L> {
     type Skin<'a> = GouraudSkin<'a, C, L>;
     type Uniforms = L::OfModel;
     type Attributes = [i16; 3];
+    const HAS_HOLES: bool = false;
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         let vertices = mesh.vertices().len();

@@ -90,6 +90,7 @@ where
     type Uniforms = L::OfModel;
     type Attributes = Perspective<3, STEP>;
     const TOLERANCE: u16 = tolerance::<T::Texture>();
+    const HAS_HOLES: bool = T::HAS_HOLES;
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         check_coordinates(skin.coordinates, mesh)?;

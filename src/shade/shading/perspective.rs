@@ -187,9 +187,7 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
             for (gain, (from, to)) in run.per_column.iter_mut().zip(values.into_iter().zip(there)) {
                 *gain = part_of((to >> 1) - (from >> 1), last - first);
             }
-            for (value, gain) in run.values.iter_mut().zip(run.per_column) {
-                *value = (Wrapping(*value) + Wrapping(gain) * Wrapping(column - first)).0;
-            }
+            Self::step_by(&mut run.values, &run.per_column, column - first);
             run.at_end = Some(there);
         }
         run
@@ -198,6 +196,11 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
     #[inline(always)]
     fn step(values: &mut [i32; N], per_column: &[i32; N]) {
         <[i16; N]>::step(values, per_column);
+    }
+
+    #[inline(always)]
+    fn step_by(values: &mut [i32; N], per_column: &[i32; N], columns: i32) {
+        <[i16; N]>::step_by(values, per_column, columns);
     }
 
     fn clamp(values: &mut [i32; N], [a, b, c]: [&Self; 3]) {

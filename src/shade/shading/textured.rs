@@ -67,6 +67,7 @@ impl<T: Sampler, const STEP: i32> Shading for Textured<T, STEP> {
     type Uniforms = ();
     type Attributes = Perspective<2, STEP>;
     const TOLERANCE: u16 = tolerance::<T::Texture>();
+    const HAS_HOLES: bool = T::HAS_HOLES;
 
     fn check(skin: &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         check_coordinates(skin.coordinates, mesh)

@@ -64,6 +64,7 @@ impl<H: Shading> Shading for Transformed<H> {
     type Uniforms = (H::Uniforms, Affine);
     type Attributes = H::Attributes;
     const TOLERANCE: <H::Attributes as Planes>::Tolerance = H::TOLERANCE;
+    const HAS_HOLES: bool = H::HAS_HOLES;
     const BLENDS: bool = H::BLENDS;
     const HAS_BOUNDS: bool = H::HAS_BOUNDS;
     const HAS_AFFINE_MAP: bool = {

@@ -70,6 +70,7 @@ impl<H: Shading<Color: ChannelColor>> Shading for Translucent<H> {
     type Uniforms = H::Uniforms;
     type Attributes = H::Attributes;
     const TOLERANCE: <H::Attributes as Planes>::Tolerance = H::TOLERANCE;
+    const HAS_HOLES: bool = H::HAS_HOLES;
     const BLENDS: bool = {
         assert!(
             !H::BLENDS,

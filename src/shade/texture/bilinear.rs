@@ -37,6 +37,7 @@ const FRACTION_BITS: u32 = 5;
 
 impl<T: Texture<Color: ChannelColor>> Sampler for Bilinear<T> {
     type Texture = T;
+    const HAS_HOLES: bool = T::HAS_HOLES;
 
     #[inline]
     fn instructions(set: InstructionSet) -> u32 {

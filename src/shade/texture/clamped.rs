@@ -18,6 +18,7 @@ impl<T: Texture> Texture for Clamped<T> {
     const COLUMN_BITS: u32 = T::COLUMN_BITS;
     const ROW_BITS: u32 = T::ROW_BITS;
     const REPEATS: bool = false;
+    const HAS_HOLES: bool = T::HAS_HOLES;
 
     #[inline]
     fn instructions(set: InstructionSet) -> u32 {

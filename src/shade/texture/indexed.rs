@@ -80,6 +80,7 @@ impl<C: BandColor, const BYTES: usize, const HEIGHT: usize, const COLORS: usize>
     type Image<'a> = IndexedImage<'a, C, BYTES, HEIGHT, COLORS>;
     const COLUMN_BITS: u32 = bits_of(BYTES) + Self::TEXELS_IN_BYTE;
     const ROW_BITS: u32 = bits_of(HEIGHT);
+    const HAS_HOLES: bool = false;
 
     #[inline]
     fn instructions(set: InstructionSet) -> u32 {

@@ -40,6 +40,8 @@ pub trait Texture: 'static {
     /// Whether the texture repeats beyond its edges, as [`column`](Self::column) and [`row`](Self::row) say. One that says
     /// something else in these says `false` here, so that no coordinates wrap from one end of their range to the other one.
     const REPEATS: bool = true;
+    /// Whether there may be texels that are holes. Textures without any are drawn faster.
+    const HAS_HOLES: bool = true;
 
     /// The word of a texel, in the machine's byte order; `None` for a hole. Columns and rows are counted from the upper left
     /// texel, modulo width and height. Called at least once a pixel.
@@ -70,6 +72,8 @@ pub trait Texture: 'static {
 pub trait Sampler: 'static {
     /// The texture.
     type Texture: Texture;
+    /// Whether there may be coordinates at which [`sample`](Self::sample) is `None`. Where there are none, faces are drawn faster.
+    const HAS_HOLES: bool = true;
 
     /// The word at texture coordinates in 1/4,096 of the texture with 16 fractional bits, u to the right, v down; `None` for a
     /// hole.
@@ -85,6 +89,7 @@ pub trait Sampler: 'static {
 
 impl<T: Texture> Sampler for T {
     type Texture = T;
+    const HAS_HOLES: bool = T::HAS_HOLES;
 
     #[inline(always)]
     fn sample(image: &T::Image<'_>, [u, v]: [i32; 2]) -> Option<WordOf<T>> {

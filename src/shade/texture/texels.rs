@@ -18,6 +18,7 @@ impl<C: BandColor, const WIDTH: usize, const HEIGHT: usize> Texture for Texels<C
     type Image<'a> = &'a [[C::Word; WIDTH]; HEIGHT];
     const COLUMN_BITS: u32 = bits_of(WIDTH);
     const ROW_BITS: u32 = bits_of(HEIGHT);
+    const HAS_HOLES: bool = false;
 
     #[inline(always)]
     fn texel(image: &Self::Image<'_>, column: u32, row: u32) -> Option<C::Word> {
