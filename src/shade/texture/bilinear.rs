@@ -41,7 +41,7 @@ impl<T: Texture<Color: ChannelColor>> Sampler for Bilinear<T> {
 
     #[inline]
     fn instructions(set: InstructionSet) -> u32 {
-        T::instructions(set).saturating_mul(4).saturating_add(set.of([67, 32]))
+        T::instructions(set).saturating_mul(4).saturating_add(set.of([57, 28]))
     }
 
     #[inline(always)]
