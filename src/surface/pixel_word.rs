@@ -226,10 +226,14 @@ where
 /// Whether the processor stores 32 bits at any address with one instruction, as a Cortex-M3 and larger ones do.
 const STORES_ANYWHERE: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
 
-/// Fills more than 32 pixels, in blocks that begin at whole 32-bit words, where the processor stores 32 bits with one
-/// instruction.
+/// Fills more than 32 pixels, in blocks that halve and begin at whole 32-bit words, where the processor stores 32 bits with one
+/// instruction; two a store, so that the last one of an odd number may be left out.
+///
+/// One store a pair: a Cortex-M4 takes a cycle for it, but three for a store of two pairs.
 #[inline(always)]
 fn fill_long_run(words: &mut [u16], repeated: u32) {
+    // First of all, so that what lies behind it needs no register from here on.
+    fill_last_block::<_, { 2 * SHORT }, SHORT>(words, repeated);
     // The first pixel is written singly in any case, because that takes less than a test.
     if let Some(first) = words.first_mut() {
         *first = repeated as u16;
@@ -237,24 +241,13 @@ fn fill_long_run(words: &mut [u16], repeated: u32) {
     // 1 where the first pixel is an odd half of a 32-bit word. Computed, not branched on, so that the function has no stack
     // frame.
     let odd = (words.as_ptr().addr() >> 1) & 1;
-    let Some(words) = words.get_mut(odd..) else {
+    let Some(mut rest) = words.get_mut(odd..) else {
         return;
     };
-    if words.len() <= 4 * SHORT {
-        fill_first_block::<_, { 2 * SHORT }, SHORT>(words, repeated);
-        fill_last_block::<_, { 2 * SHORT }, SHORT>(words, repeated);
-    } else {
-        fill_pairs(words, repeated);
+    if rest.len() <= 64 {
+        fill_first_block::<_, { 2 * SHORT }, SHORT>(rest, repeated);
+        return;
     }
-}
-
-/// Fills more than 64 pixels in blocks that halve; two a store, so that the last one of an odd number may be left out.
-///
-/// One store a pair: a Cortex-M4 takes a cycle for it, but three for a store of two pairs.
-#[inline(always)]
-fn fill_pairs(words: &mut [u16], repeated: u32) {
-    fill_last_block::<_, 32, 16>(words, repeated);
-    let mut rest = words;
     if rest.len() > 128 {
         while fill_leading_block::<_, 256, 128>(&mut rest, repeated) {
             // The compiler would unroll this loop once more.
