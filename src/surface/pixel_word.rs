@@ -191,7 +191,12 @@ impl PixelWord for u16 {
 /// Fills pixels with a repeated word, which takes less to hand over than the word.
 #[inline(never)]
 fn fill_u16(words: &mut [u16], repeated: u32) {
-    u16::fill_repeated(words, repeated);
+    // Asked first, because most runs that are worth a call are long.
+    if STORES_ANYWHERE && words.len() > 2 * SHORT {
+        fill_long_run(words, repeated);
+    } else {
+        u16::fill_repeated(words, repeated);
+    }
 }
 
 /// Fills the first `N` pixels and the last `N`, which may overlap: that takes less than counting. `N` pixels are as many
