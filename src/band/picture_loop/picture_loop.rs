@@ -3,6 +3,7 @@
 use core::{
     convert::Infallible,
     fmt::{self, Display},
+    hint::black_box,
     marker::PhantomData,
 };
 
@@ -10,8 +11,8 @@ use embedded_graphics::primitives::Rectangle;
 
 use crate::{
     band::{Band, Sink, too_few_words, words_needed},
-    geometry::{TooSmall, Window},
-    surface::{BandColor, LittleEndian, Order},
+    geometry::{TooSmall, Window, coordinate_after},
+    surface::{BandColor, LittleEndian, Order, PixelWord, not_constant},
 };
 
 /// Draws a picture band by band: fill with the background, draw the scene, send, next band.
@@ -155,26 +156,32 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
     {
         let mut window = self.band_at(self.window.top);
         let needed = words_needed(&window);
-        let words = buffer.get_mut(..needed).ok_or_else(|| too_few_words(needed))?;
+        let mut words = buffer.get_mut(..needed).ok_or_else(|| too_few_words(needed))?;
+        let background = not_constant(Band::<C, O>::word(self.background));
         let (stride, rows) = (window.width() as usize, window.height());
-        while !window.is_empty() {
-            // Only the last band may have fewer rows.
-            let words = if window.height() == rows {
-                &mut *words
+        let mut remaining = self.window.height();
+        while remaining > 0 {
+            let rows = if remaining < rows {
+                // The last band.
+                words = words.get_mut(..stride * remaining as usize).unwrap_or_default();
+                // Keeps this a branch: the compiler would choose between both in every band.
+                black_box(());
+                remaining
             } else {
-                words.get_mut(..words_needed(&window)).unwrap_or_default()
+                rows
             };
+            remaining -= rows;
+            window.bottom = coordinate_after(window.top, rows);
+            PixelWord::fill(words, background);
             let mut band = Band {
                 window,
                 stride,
                 words,
                 order: PhantomData,
             };
-            band.fill(self.background);
             scene(&mut band).into_result().map_err(LoopError::Scene)?;
             sink.send(band).map_err(LoopError::Sink)?;
             window.top = window.bottom;
-            window.bottom = self.window.bottom.min(window.top.saturating_add_unsigned(rows));
         }
         trace!("{}: sent", self);
         Ok(())
