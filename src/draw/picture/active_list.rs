@@ -15,10 +15,10 @@ use crate::{
     band::Band,
     draw::picture::{
         item::{NONE, PictureItem, PictureSlot},
-        picture::{ItemMemory, Picture},
+        picture::{ItemMemory, NEVER_QUIET, Picture},
         pool::Pool,
     },
-    geometry::Window,
+    geometry::{Window, offset_from},
     surface::{BandColor, Order, Target},
 };
 
@@ -32,43 +32,54 @@ const fn is_near(left: i32) -> bool {
 impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Draws what the band shows of the picture.
     pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
-        if let Some(draw) = self.draw_groups {
-            return draw(self, band);
-        }
         let window = band.window();
-        match self.buckets.of_one_row(window.top) {
-            Some(first) if window.top + 1 == window.bottom && self.goes_on(&window) => self.draw_next_row(first, band),
-            _ => self.draw_any(band),
+        let goes_on = self.is_next(&window) && !window.is_empty() && offset_from(window.top, window.bottom) == 1;
+        if !goes_on || window.top >= self.next_event && !self.open_row(&window) {
+            return self.draw_any(band);
         }
+        self.next_row = window.bottom;
+        self.for_each_active(|slot, kind, pool| kind.draw_row(slot, pool, band));
+    }
+
+    /// Whether cursors are at the first row of a window, those of all items that may lie in its columns.
+    #[inline]
+    fn is_next(&self, window: &Window) -> bool {
+        // The columns with cursors are near.
+        window.top == self.next_row && self.cursors.left <= window.left && window.right <= self.cursors.right
     }
 
     /// Whether cursors are at the first row of a window, those of all items that may lie in it.
-    #[inline]
     fn goes_on(&self, window: &Window) -> bool {
-        // The columns with cursors are near.
-        window.top == self.next_row
-            && self.cursors.left <= window.left
-            && window.right <= self.cursors.right
-            && window.bottom <= self.cursors.bottom
+        self.is_next(window) && window.bottom <= self.cursors.bottom
     }
 
-    /// Draws a row that all cursors are at and in which a list of items begins.
-    #[inline]
-    fn draw_next_row(&mut self, first: u16, band: &mut Band<'_, C, O>) {
-        let row = self.next_row;
+    /// Links the items that begin in the row that comes next, and takes those out that end above it. `false` where some items
+    /// have no cursor there, or the row has no bucket of its own.
+    #[inline(never)]
+    fn open_row(&mut self, window: &Window) -> bool {
+        let row = window.top;
+        if self.draw_groups.is_some() || window.bottom > self.cursors.bottom {
+            return false;
+        }
+        let Some(first) = self.buckets.of_one_row(row) else {
+            return false;
+        };
         if self.next_end <= row {
             self.take_out_ended(row);
         }
         if first != NONE {
             self.begin(first, row);
         }
-        self.next_row = row + 1;
-        self.for_each_active(|slot, kind, pool| kind.draw_row(slot, pool, band));
+        self.next_event = self.buckets.next_begin(row, self.next_end.min(self.cursors.bottom));
+        true
     }
 
     /// Draws a band of any rows.
     #[inline(never)]
     fn draw_any(&mut self, band: &mut Band<'_, C, O>) {
+        if let Some(draw) = self.draw_groups {
+            return draw(self, band);
+        }
         if self.go_to(&band.window()) {
             self.for_each_active(|slot, kind, pool| kind.draw_rows(slot, pool, band));
         }
@@ -92,6 +103,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             }
         }
         self.next_row = window.bottom;
+        self.next_event = NEVER_QUIET;
         true
     }
 

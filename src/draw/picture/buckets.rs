@@ -1,8 +1,11 @@
 //! Buckets by first row: which items begin in which rows.
 
-use core::{num::Wrapping, ops::Range};
+use core::{hint::black_box, num::Wrapping, ops::Range};
 
-use crate::{draw::picture::item::NONE, geometry::Window};
+use crate::{
+    draw::picture::item::NONE,
+    geometry::{Window, distance},
+};
 
 /// The first item of each bucket. A bucket has as many rows, a power of two, as it takes to have one for each row of
 /// the picture; the first one has all rows above, too, and the last one all rows below.
@@ -63,6 +66,20 @@ impl<'m> Buckets<'m> {
         }
     }
 
+    /// The first row below one, and not below `end`, in which items begin, or which has no bucket of its own.
+    pub(super) fn next_begin(&self, row: i32, end: i32) -> i32 {
+        let index = |row: i32| (Wrapping(row) - Wrapping(self.top)).0 as u32;
+        let mut next = row + 1;
+        let (mut bucket, end) = (index(next), index(end).min(self.exact + 1));
+        while bucket < end && self.heads.get(bucket as usize) == Some(&NONE) {
+            next += 1;
+            bucket += 1;
+            // The compiler would unroll this loop.
+            black_box(());
+        }
+        next
+    }
+
     /// The list of a bucket.
     pub(super) fn list(&self, index: usize) -> Option<u16> {
         self.heads.get(index).copied()
@@ -84,8 +101,8 @@ impl<'m> Buckets<'m> {
 
     /// The bucket of a row, the nearest one where there is none.
     fn index(&self, row: i32) -> usize {
-        let below = i64::from(row) - i64::from(self.top);
-        ((below.max(0) >> self.shift) as usize).min(self.heads.len().saturating_sub(1))
+        let below = if row > self.top { distance(self.top, row) } else { 0 };
+        ((below >> self.shift) as usize).min(self.heads.len().saturating_sub(1))
     }
 
     /// The list of the bucket of a row; `None` where there are no buckets.

@@ -24,6 +24,9 @@ use crate::{
 /// No band begins in this row, which would be its last one as well.
 pub(super) const NOWHERE: i32 = i32::MAX;
 
+/// No row is above this one.
+pub(super) const NEVER_QUIET: i32 = i32::MIN;
+
 /// Shapes, texts and items of the program's own, prepared once and drawn row by row in the order in which they were
 /// added.
 ///
@@ -81,6 +84,9 @@ pub struct Picture<'m, 'a, C: BandColor, O: Order = LittleEndian> {
     pub(super) active: u16,
     /// The first row below one of the active items.
     pub(super) next_end: i32,
+    /// From `next_row` on and above this row, no item begins or ends and all items have cursors: nothing is looked up there.
+    /// [`NEVER_QUIET`] where that is not known.
+    pub(super) next_event: i32,
     /// The row at which all cursors are; [`NOWHERE`] where they are void.
     pub(super) next_row: i32,
     /// Where items have cursors, if they are met: bands outside begin anew.
@@ -130,6 +136,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             draw_groups: None,
             active: NONE,
             next_end: i32::MAX,
+            next_event: NEVER_QUIET,
             next_row: NOWHERE,
             cursors: Window::EMPTY,
             announced: Window::EMPTY,
