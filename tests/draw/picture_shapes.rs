@@ -6,7 +6,7 @@ use embedded_graphics::{
     mono_font::{DecorationDimensions, MonoFont, MonoTextStyle, ascii::FONT_10X20, mapping::StrGlyphMapping},
     pixelcolor::Rgb565,
     prelude::*,
-    primitives::{Ellipse, Line, PrimitiveStyleBuilder, Rectangle, Triangle},
+    primitives::{Circle, Ellipse, Line, PrimitiveStyleBuilder, Rectangle, Triangle},
     text::Text,
 };
 use zrow::{band::Band, draw::DrawOn, geometry::Window};
@@ -74,6 +74,54 @@ fn round_shapes_of_every_size_are_entered_in_every_row() {
                     "{width} x {height} from {first}"
                 );
             }
+        });
+    }
+}
+
+/// Outlines of circles, one pixel wide, of every small size in each row, whole and cut off on both sides.
+#[test]
+fn outlines_of_circles_of_every_size_are_entered_in_every_row() {
+    let style = Style::with_stroke(Rgb565::RED, 1);
+    for (diameter, (left, columns)) in (1..70).flat_map(|diameter| [(0, 70), (3, 20)].map(|cut| (diameter, cut))) {
+        let circle = Circle::new(Point::zero(), diameter);
+        let item = Item::Circle(circle, style);
+        with_picture(47, |picture| {
+            item.add(picture).unwrap();
+            for first in 0..diameter {
+                let area = Rectangle::new(Point::new(left, first as i32), Size::new(columns, diameter - first));
+                assert_eq!(
+                    in_bands(picture, area, &[1]),
+                    replayed(area, [&item]),
+                    "{diameter} from {first}, {columns} columns from {left}"
+                );
+            }
+        });
+    }
+}
+
+/// The upper ends, the middles and the lower ends of circles around the largest one that is kept in two words.
+#[test]
+fn outlines_of_large_circles_show_what_replaying_shows() {
+    let style = Style::with_stroke(Rgb565::RED, 1);
+    let diameters = [1_001, 32_000, 32_767, 32_768, 32_769, 60_000];
+    for (diameter, at) in diameters
+        .into_iter()
+        .flat_map(|diameter| [0, 1, 2].map(|at| (diameter, at)))
+    {
+        let radius = diameter as i32 / 2;
+        let top_left = match at {
+            0 => Point::new(20 - radius, 3),
+            1 => Point::new(3, 20 - radius),
+            _ => Point::new(20 - radius, 30 - diameter as i32),
+        };
+        let item = Item::Circle(Circle::new(top_left, diameter), style);
+        with_picture(47, |picture| {
+            item.add(picture).unwrap();
+            assert_eq!(
+                in_bands(picture, AREA, &[1]),
+                replayed(AREA, [&item]),
+                "{diameter} at {top_left}"
+            );
         });
     }
 }

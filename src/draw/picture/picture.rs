@@ -30,10 +30,11 @@ pub(super) const NEVER_QUIET: i32 = i32::MIN;
 /// Shapes, texts and items of the program's own, prepared once and drawn row by row in the order in which they were
 /// added.
 ///
-/// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses and thin lines, 9 for a
-/// triangle, 4 for a stroked rectangle, circle or ellipse, one a character and one more for a text, some for each corner of a
-/// polygon), and buckets of rows. One bucket for each row of the picture is fastest, fewer work as well. What is too small is an error that says
-/// how much is needed; a picture has up to 65,535 items, whose words begin within the first 65,536.
+/// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses, thin lines and outlines of
+/// circles one pixel wide, 9 for a triangle, 4 for any other stroked circle, ellipse or rectangle, one a character and one more
+/// for a text, some for each corner of a polygon), and buckets of rows. One bucket for each row of the picture is fastest,
+/// fewer work as well. What is too small is an error that says how much is needed; a picture has up to 65,535 items, whose
+/// words begin within the first 65,536.
 ///
 /// Draws into bands of any height and in any order. Going on from row to row is the fast case; every other band is
 /// found by looking at each item once. Rows and columns below -32,768 and from 32,767 on are not drawn.

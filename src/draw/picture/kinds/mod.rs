@@ -6,6 +6,7 @@
 mod aligned_stroke;
 mod antialiased;
 mod aside_stroke;
+mod circle_outline;
 mod contour_stroke;
 mod contours;
 mod filled_chains;
@@ -20,6 +21,7 @@ mod polyline;
 mod rectangle;
 mod replayed;
 mod round;
+mod sides;
 mod stored_shape;
 mod stored_style;
 mod strips;

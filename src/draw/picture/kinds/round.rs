@@ -26,10 +26,12 @@ use crate::{
         eg::areas::Areas,
         payload::Payload,
         picture::{
-            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind_of, set_pixel},
+            item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind_of},
             kinds::{
+                circle_outline::{self, CircleOutline},
                 rectangle::Border,
                 replayed::{Words, replayed},
+                sides::fill_sides,
             },
             pool::Pool,
             prepare::{CopiedShape, Draft, not_used},
@@ -134,6 +136,11 @@ trait Round: 'static {
     /// Columns of the box before the first pixel in a row of the upper half, and the error term.
     fn enter(size: Size, row: u32) -> (u32, u32);
 
+    /// The kind of an outline of one pixel and without a fill, where the shape has one of its own.
+    fn outline<C: BandColor, O: Order>(_: Size) -> Option<&'static dyn PictureItem<C, O>> {
+        None
+    }
+
     /// The factors b and a: the increments of a column and of a row are their products with a doubled distance.
     fn units(width: i32, height: i32) -> (u32, u32);
 }
@@ -146,6 +153,10 @@ impl Round for Circle {
     fn enter(size: Size, row: u32) -> (u32, u32) {
         let ForwardDifference { inset, error_term, .. } = circle::enter(size.width, row);
         (inset, error_term)
+    }
+
+    fn outline<C: BandColor, O: Order>(size: Size) -> Option<&'static dyn PictureItem<C, O>> {
+        (size.width <= circle_outline::MOST).then(kind_of::<C, O, CircleOutline>)
     }
 
     #[inline]
@@ -212,8 +223,11 @@ fn prepare<'a, S: Round + Words + StyledShape, C: BandColor, O: Order>(
     let kind: &dyn PictureItem<C, O> = if is_filled {
         kind_of::<C, O, Filled<S>>()
     } else {
-        if Border::of(areas).is_none() {
+        let Some(border) = Border::of(areas) else {
             return replayed(shape, style, areas.outer.to_window(), payload);
+        };
+        if let (1, false, Some(kind)) = (border.width(), border.is_filled(), S::outline::<C, O>(areas.outer.size)) {
+            return Draft::new(extent, Band::<C, O>::word(areas.color), kind);
         }
         payload.push_all(&[areas.inner.size.height - 1, 0, 0]);
         payload.push_pixel(areas.inner_color.map_or(not_used::<C>(), Band::<C, O>::word));
@@ -312,48 +326,4 @@ impl<S: Round, C: BandColor, O: Order, const HAS_FILL: bool> ItemKind<C, O> for 
         }
         fill_sides(band, outer.columns(), inner.start - outer.start, slot.word);
     }
-}
-
-/// Fills the first and the last `columns` of the columns from `start` to before `end`.
-#[inline(always)]
-fn fill_sides<C: BandColor, O: Order>(
-    band: &mut Band<'_, C, O>,
-    (start, end): (i32, i32),
-    columns: i32,
-    word: C::Word,
-) {
-    /// Up to this many pixels a side, writing them one by one takes less than filling two spans.
-    const SHORT: u32 = 8;
-    // Without a column this wraps around to the largest number, which is not short.
-    if (columns - 1) as u32 >= SHORT {
-        return fill_long_sides(band, (start, end), columns, word);
-    }
-    let left = band.window().left;
-    let row = band.words_mut();
-    let (mut first, mut last) = (start - left, end - 1 - left);
-    let mut remaining = columns;
-    loop {
-        set_pixel(row, first, word);
-        set_pixel(row, last, word);
-        remaining -= 1;
-        if remaining == 0 {
-            return;
-        }
-        first += 1;
-        last -= 1;
-        // Mostly there is one pixel on each side: the compiler would prepare for more.
-        black_box(());
-    }
-}
-
-/// Fills sides of any length.
-#[inline(never)]
-fn fill_long_sides<C: BandColor, O: Order>(
-    band: &mut Band<'_, C, O>,
-    (start, end): (i32, i32),
-    columns: i32,
-    word: C::Word,
-) {
-    fill_span(band, (start, start + columns), word);
-    fill_span(band, (end - columns, end), word);
 }

@@ -26,7 +26,7 @@ pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 320));
 
 /// What of a picture's memory the dashboard takes: slots, words of the pool, and buckets.
 pub const SLOTS: usize = 33;
-pub const WORDS: usize = 5 * 4 + 4 * 9 + (7 + 1) + (14 + 1) + (5 + 1);
+pub const WORDS: usize = 4 * 9 + (7 + 1) + (14 + 1) + (5 + 1);
 pub const BUCKETS: usize = 320;
 
 type Shape<S> = Styled<S, PrimitiveStyle<Rgb565>>;
