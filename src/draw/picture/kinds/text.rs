@@ -176,7 +176,7 @@ fn set_pixels<W: PixelWord>(row: &mut [W], left: i32, mut bits: u32, word: W) {
                 if let Some(pixel) = glyph.get_mut(column as usize) {
                     *pixel = word;
                 }
-                bits ^= 1 << 31 >> column;
+                bits &= !(1 << 31 >> column);
                 // Unrolled, the loop would leave no registers for what is around it.
                 black_box(());
             }
