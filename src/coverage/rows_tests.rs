@@ -353,8 +353,8 @@ proptest! {
         prop_assert!(whole.iter().all(|(span, coverage)| span.start < span.end && *coverage > 0));
     }
 
-    /// Two chains with few corners or many in a row, corners on its sides, and edges that cross those of the other chain: to the
-    /// same pixels, from left to right.
+    /// Two chains with few corners or many in a row, corners on its sides, and edges that cross those of the other chain: to
+    /// the same pixels, from left to right.
     #[test]
     fn rows_between_two_chains_are_covered_like_others(
         [one, other] in [chain(), chain()],
@@ -386,8 +386,8 @@ proptest! {
     }
 }
 
-/// The corners of a y-monotone chain: x, and how far below the one before each lies, in 1/256 pixel; negative where it lies on the
-/// next boundary between two rows.
+/// The corners of a y-monotone chain: x, and how far below the one before each lies, in 1/256 pixel; negative where it lies on
+/// the next boundary between two rows.
 fn chain() -> impl Strategy<Value = Vec<(i32, i32)>> {
     let height = prop_oneof![3 => 0..40i32, 2 => 200..900i32, 1 => Just(-1)];
     prop::collection::vec((-900..5_000i32, height), 0..40)

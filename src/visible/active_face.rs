@@ -129,8 +129,8 @@ pub(super) struct Surroundings<'v, P = ()> {
 }
 
 impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
-    /// Sets up the edges of a face without attributes for its first row, and its depth plane, from its corners, clockwise, as far
-    /// as it is small. Returns the parts that are left.
+    /// Sets up the edges of a face without attributes for its first row, and its depth plane, from its corners, clockwise, as
+    /// far as it is small. Returns the parts that are left.
     // A function of its own, because it needs all registers.
     #[inline(never)]
     pub(super) fn set_up_small<D: DepthWidth>(

@@ -95,8 +95,8 @@ fn set_up_wide_depth<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     }
 }
 
-/// Sets up the planes of the depth and of the attributes of a face with these corners, and its edges by its sides, which are the
-/// same. Returns the parts that are left.
+/// Sets up the planes of the depth and of the attributes of a face with these corners, and its edges by its sides, which are
+/// the same. Returns the parts that are left.
 #[inline(never)]
 pub(super) fn set_up_attributes<S, D, H, F, P>(
     face: &mut ActiveFace<S, H>,

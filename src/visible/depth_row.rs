@@ -142,8 +142,8 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         self.words.get_mut(start as usize..end as usize)
     }
 
-    /// Stores the depths of pixels inside the row from a column on, as long as they are nearer than the stored ones. Returns how
-    /// many pixels are left.
+    /// Stores the depths of pixels inside the row from a column on, as long as they are nearer than the stored ones. Returns
+    /// how many pixels are left.
     #[inline(always)]
     pub(super) fn store_nearer(&mut self, start: i32, end: i32, plane: &DepthPlane) -> Option<usize> {
         let depths = self.depths.get_mut(start as usize..end as usize)?;

@@ -88,8 +88,8 @@ where
         None
     }
 
-    /// Draws the part of a span of a face that is inside the row and whose attributes step evenly, pixel by pixel: each may be a
-    /// hole.
+    /// Draws the part of a span of a face that is inside the row and whose attributes step evenly, pixel by pixel: each may be
+    /// a hole.
     #[inline(always)]
     fn draw_in_pixels(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) -> Option<usize> {
         let (column, end) = (start.max(0), end.min(self.row.words.len() as i32));

@@ -2,14 +2,16 @@
 //!
 //! ```text
 //!        o
-//!       / \      an edge begins: all segments of the row are looked at and sorted
+//!       / \      chains begin: all segments of the row are looked at and sorted
 //!      /   \
-//!     /     \     two edges pass: nothing is looked up or sorted, and what lies between their pixels is filled without
-//!    /       \    computing its coverage
-//!   o----.    \
+//!     /     o    one edge ends and the next one of its chain begins: both chains are walked down to the bottom of the row,
+//!    /       \   edge by edge, and the few parts of edges in it are put into order
+//!   /         \
+//!  o----.      \ two edges pass: nothing is looked up or sorted, and what lies between their pixels is filled without
+//!               \ computing its coverage
 //! ```
 //!
-//! Most rows of a convex outline are of the second kind.
+//! Most rows of a convex outline, which has two chains, are of the second or third kind.
 //!
 //! Guarantees: bit for bit the pixels of the rows one by one, because all add the same cells.
 

@@ -29,8 +29,8 @@ pub(crate) struct ChainWalk {
     row_bottom: i32,
 }
 
-/// What takes the parts of edges that lie in a row: x at the top and at the bottom of the part, in 1/8192 pixel, and its height in
-/// 1/16384 pixel, negative where the outline goes up.
+/// What takes the parts of edges that lie in a row: x at the top and at the bottom of the part, in 1/8192 pixel, and its height
+/// in 1/16384 pixel, negative where the outline goes up.
 pub(crate) trait PartSink {
     /// Takes a part.
     fn add_part(&mut self, ends: (i32, i32), height: i32);

@@ -161,8 +161,8 @@ impl OutlineArc {
         [x + scaled(across, cosine), y + scaled(down, sine)]
     }
 
-    /// Calls `edge` with the edges of a whole ellipse from its top on, between corners of which those of a quarter are computed and
-    /// the others mirrored. Returns `false`, and does nothing, for any other arc, and where a quarter has more than
+    /// Calls `edge` with the edges of a whole ellipse from its top on, between corners of which those of a quarter are computed
+    /// and the others mirrored. Returns `false`, and does nothing, for any other arc, and where a quarter has more than
     /// [`MOST_MIRRORED`] chords.
     pub(super) fn mirrored_edges(&self, edge: &mut dyn FnMut(Corner, Corner)) -> bool {
         let chords = usize::from(self.chords_of_quarter);

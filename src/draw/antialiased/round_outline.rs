@@ -50,8 +50,8 @@ impl RoundContour {
         Ok(Self::new(&[OutlineArc::new(center, radii, (TOP, TURN))?]))
     }
 
-    /// Calls `edge` with the edges of an ellipse, computed faster than corner by corner. Returns `false`, and does nothing, for other
-    /// contours, and for large ellipses.
+    /// Calls `edge` with the edges of an ellipse, computed faster than corner by corner. Returns `false`, and does nothing, for
+    /// other contours, and for large ellipses.
     pub(super) fn mirrored_edges(&self, edge: &mut dyn FnMut(Corner, Corner)) -> bool {
         matches!(self.arcs(), [ellipse] if ellipse.mirrored_edges(edge))
     }

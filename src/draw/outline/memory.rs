@@ -194,8 +194,8 @@ impl RowMemory<'_> {
         Ok(())
     }
 
-    /// A list for the parts of edges in some columns, without those outside the domain; `None` where there are not a cell for each
-    /// column and one more.
+    /// A list for the parts of edges in some columns, without those outside the domain; `None` where there are not a cell for
+    /// each column and one more.
     #[inline(always)]
     pub(super) fn parts_in<'c>(cells: &'c mut [i32], columns: &Range<i32>) -> Option<RowParts<'c>> {
         let columns = columns.start.max(DOMAIN.start)..columns.end.min(DOMAIN.end);

@@ -119,8 +119,8 @@ pub trait Shading: 'static {
     /// attributes.
     const TOLERANCE: <Self::Attributes as Planes>::Tolerance = <Self::Attributes as Planes>::EXACT;
 
-    /// Whether there may be pixels at which [`fragment`](Self::fragment) is `None`. Where there are none, depths are tested first,
-    /// and then the fragments of all visible pixels of a run are computed one after the other, which is faster.
+    /// Whether there may be pixels at which [`fragment`](Self::fragment) is `None`. Where there are none, depths are tested
+    /// first, and then the fragments of all visible pixels of a run are computed one after the other, which is faster.
     const HAS_HOLES: bool = true;
 
     /// Checks that a skin has what a mesh needs.

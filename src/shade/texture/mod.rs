@@ -72,7 +72,8 @@ pub trait Texture: 'static {
 pub trait Sampler: 'static {
     /// The texture.
     type Texture: Texture;
-    /// Whether there may be coordinates at which [`sample`](Self::sample) is `None`. Where there are none, faces are drawn faster.
+    /// Whether there may be coordinates at which [`sample`](Self::sample) is `None`. Where there are none, faces are drawn
+    /// faster.
     const HAS_HOLES: bool = true;
 
     /// The word at texture coordinates in 1/4,096 of the texture with 16 fractional bits, u to the right, v down; `None` for a
