@@ -34,7 +34,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
         let window = band.window();
         let goes_on = self.is_next(&window) && !window.is_empty() && offset_from(window.top, window.bottom) == 1;
-        if !goes_on || window.top >= self.next_event && !self.open_row(&window) {
+        if !goes_on || window.top >= i32::from(self.next_event) && !self.open_row(&window) {
             return self.draw_any(band);
         }
         self.next_row = window.bottom;
@@ -70,7 +70,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         if first != NONE {
             self.begin(first, row);
         }
-        self.next_event = self.buckets.next_begin(row, self.next_end.min(self.cursors.bottom));
+        // No item begins or ends in rows that do not fit.
+        let next_event = self.buckets.next_begin(row, self.next_end.min(self.cursors.bottom));
+        self.next_event = next_event.clamp(i16::MIN.into(), i16::MAX.into()) as i16;
         true
     }
 

@@ -24,8 +24,8 @@ use crate::{
 /// No band begins in this row, which would be its last one as well.
 pub(super) const NOWHERE: i32 = i32::MAX;
 
-/// No row is above this one.
-pub(super) const NEVER_QUIET: i32 = i32::MIN;
+/// No item begins above this row.
+pub(super) const NEVER_QUIET: i16 = i16::MIN;
 
 /// Shapes, texts and items of the program's own, prepared once and drawn row by row in the order in which they were
 /// added.
@@ -86,8 +86,8 @@ pub struct Picture<'m, 'a, C: BandColor, O: Order = LittleEndian> {
     /// The first row below one of the active items.
     pub(super) next_end: i32,
     /// From `next_row` on and above this row, no item begins or ends and all items have cursors: nothing is looked up there.
-    /// [`NEVER_QUIET`] where that is not known.
-    pub(super) next_event: i32,
+    /// [`NEVER_QUIET`] where that is not known. In 16 bits, so that it takes no memory beside `active`.
+    pub(super) next_event: i16,
     /// The row at which all cursors are; [`NOWHERE`] where they are void.
     pub(super) next_row: i32,
     /// Where items have cursors, if they are met: bands outside begin anew.
