@@ -72,7 +72,7 @@ pub(super) fn cover_all<E, C: CountedEdges>(
                 continue;
             }
         } else if let [left, right] = segments.as_mut_slice() {
-            let (left_height, right_height) = (left.whole_height(), right.whole_height());
+            let (left_height, right_height) = (left.signed_height(), right.signed_height());
             let event_row = event_row.min(end);
             let (left_ends, right_ends) = loop {
                 let (left_ends, right_ends) = (left.step_ends(), right.step_ends());
@@ -121,6 +121,8 @@ fn go_on(chains: &Chains<'_>, pair: &mut [RowSegment; 2], row: i32, parts: &mut 
     let [left, right] = pair;
     let walk = ChainWalk::to(row);
     let goes_on = walk.step_down(chains, left, parts) & walk.step_down(chains, right, parts);
+    left.set_whole_height();
+    right.set_whole_height();
     if left.x_bottom > right.x_bottom {
         core::mem::swap(left, right);
     }

@@ -176,19 +176,18 @@ impl RowSegment {
         [top.min(bottom), top.max(bottom)]
     }
 
-    /// The height of a row times the winding number, in 1/16384 pixel: the height that the segment has in a row that it passes.
+    /// Makes the height that of a segment that passes the row from top to bottom, as it does in all rows up to the next event.
     #[inline(always)]
-    pub(crate) fn whole_height(&self) -> i32 {
-        self.winding << COVER_BITS
+    pub(crate) fn set_whole_height(&mut self) {
+        self.signed_height = (self.winding << COVER_BITS) as i16;
     }
 
     /// Steps to the next row of pixels, which the edge passes, as [`step`](Self::step) does, once
-    /// [`step_ends`](Self::step_ends) returned these ends, from whatever segment the edge has above.
+    /// [`step_ends`](Self::step_ends) returned these ends.
     #[inline]
     pub(crate) fn go_between(&mut self, [left, right]: [i32; 2]) {
         self.x_top = if self.x_bottom == left { right } else { left };
         (self.left, self.right) = (left, right);
-        self.signed_height = self.whole_height() as i16;
     }
 
     /// Makes the segment stand for an edge of its chain that ended at `end_y`, the bottom of the row, so that its successor
