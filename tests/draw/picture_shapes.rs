@@ -228,3 +228,20 @@ fn wide_items_show_what_replaying_shows() {
         assert_eq!(in_bands(picture, AREA, &[1]), replayed(AREA, &items));
     });
 }
+
+/// Rows above -32,768 show nothing of items below, which have begun already where there are no buckets.
+#[test]
+fn rows_far_above_all_items_are_empty() {
+    let mut slots = [Slot::EMPTY; 1];
+    let mut picture = Prepared::new(AREA, &mut slots, &mut [], &mut []);
+    let circle = Circle::new(Point::zero(), 9).into_styled(Style::with_stroke(Rgb565::RED, 1));
+    picture.add(&circle).unwrap();
+    for first in [i32::MIN, -40_000, -32_770] {
+        for row in first..first + 4 {
+            let mut words = [0; 16];
+            let area = Rectangle::new(Point::new(0, row), Size::new(16, 1));
+            picture.draw(&mut Band::<Rgb565>::new(area, &mut words).unwrap());
+            assert_eq!(words, [0; 16], "{row}");
+        }
+    }
+}

@@ -15,7 +15,7 @@ use crate::{
     band::Band,
     draw::picture::{
         item::{NONE, PictureItem, PictureSlot},
-        picture::{ItemMemory, NEVER_QUIET, Picture},
+        picture::{ItemMemory, NEVER_QUIET, NOWHERE, Picture},
         pool::Pool,
     },
     geometry::{Window, offset_from},
@@ -104,7 +104,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
                 _ => {}
             }
         }
-        self.next_row = window.bottom;
+        // Rows above those that fit 16 bits show nothing: each of them is gone to anew.
+        let fits = window.bottom >= i32::from(NEVER_QUIET);
+        self.next_row = if fits { window.bottom } else { NOWHERE };
         self.next_event = NEVER_QUIET;
         true
     }
