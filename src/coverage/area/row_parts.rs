@@ -154,7 +154,8 @@ impl PartSink for RowParts<'_> {
     }
 }
 
-/// How many of the first parts share pixels, so that none of them can be swept by itself; one at least.
+/// The number of parts of edges, at the beginning of a list in order of left ends, of which each shares a pixel with one before
+/// it, so that their cells have to be added up before they are swept; at least 1.
 #[inline(never)]
 fn overlapping(parts: &[Part]) -> usize {
     let mut last = None;

@@ -29,10 +29,10 @@ pub(crate) struct ChainWalk {
     row_bottom: i32,
 }
 
-/// What takes the parts of edges that lie in a row: x at the top and at the bottom of the part, in 1/8192 pixel, and its height
-/// in 1/16384 pixel, negative where the outline goes up.
+/// Takes the parts of edges that lie in a row of pixels, such as an accumulation buffer, which adds their cells up.
 pub(crate) trait PartSink {
-    /// Takes a part.
+    /// Takes a part of an edge: x at its top and at its bottom, in 1/8192 pixel, and its height in 1/16384 pixel, negative
+    /// where the outline goes up.
     fn add_part(&mut self, ends: (i32, i32), height: i32);
 }
 

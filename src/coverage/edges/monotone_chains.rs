@@ -320,7 +320,7 @@ impl<'e> Chains<'e> {
     }
 
     /// Whether no row has more than `most` edges, as far as that is seen from edges that are a fixed number apart in their
-    /// chain; `false` where it is not. Cost: six instructions an edge.
+    /// chain; `false` where it is not. Cost: two comparisons of rows an edge.
     pub(crate) fn have_at_most(&self, most: usize) -> bool {
         let (mut chains, mut first) = (0usize, self.first);
         while let Some(edge) = get(self.edges, first) {

@@ -19,7 +19,7 @@ pub(crate) type WidePosition = [i64; 2];
 /// The angle of the top of an ellipse, in [`TURN`]ths of a turn.
 pub(super) const TOP: i32 = 3 * (TURN / 4);
 
-/// The most chords of a quarter of an ellipse that are mirrored: those of a radius of 208 pixels, whose corners are nearer than
+/// The most chords of a quarter of an ellipse that are mirrored: those of a radius of 207 pixels, whose corners are nearer than
 /// 2^16 to the centre, in 1/256 pixel.
 const MOST_MIRRORED: usize = 64;
 
@@ -311,7 +311,7 @@ mod tests {
         }
     }
 
-    /// Of circles and ellipses, also as holes.
+    /// The edges of circles and ellipses, and of those that run counterclockwise, as holes do.
     #[test]
     fn mirrored_edges_are_those_between_corners_computed_one_by_one() {
         let mut mirrored_ellipses = 0;

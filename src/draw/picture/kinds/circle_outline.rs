@@ -1,8 +1,8 @@
 //! Outlines of circles, one pixel wide: what lies between a circle and the one whose box is a pixel smaller on each side.
 //!
-//! Both circles are stepped through as in `round.rs`, and both have the same increments of their rows, because they have the
-//! same middle. They are kept as the columns before their first pixels, each with its error term in 16 bits, so that they take
-//! the two words of the cursor and none of the pool.
+//! Both circles are stepped from row to row by forward differences, and both have the same increments of their rows, because
+//! they have the same middle. They are kept as the columns before their first pixels, each with its error term in 16 bits, so
+//! that they take the two words of the cursor and none of the pool.
 //!
 //! ```text
 //!     ...OOOO...     O: the outline, from column 3 on
@@ -40,7 +40,7 @@ struct CircleRow {
 }
 
 impl CircleRow {
-    /// What is inside of the first and of the last row of an outline: nothing, so that both sides meet.
+    /// A row without a hole, such as the first and the last one of an outline: the columns before the hole reach to the middle.
     const fn none(diameter: i32) -> Self {
         Self {
             inset: diameter / 2,
