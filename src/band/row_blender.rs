@@ -80,6 +80,17 @@ impl<C: ChannelColor, O: Order, T: TransferFunction> Emit<Infallible> for RowBle
     }
 
     #[inline(never)]
+    fn two_pixels(&mut self, columns: [i32; 2], coverage: Coverage) -> Result<(), Infallible> {
+        for x in columns {
+            if let Some(word) = self.words.get_mut(offset_from(self.left, x) as usize) {
+                let word = core::slice::from_mut(word);
+                C::blend_run::<T, O>(word, Point::new(x, self.y), self.color, coverage);
+            }
+        }
+        Ok(())
+    }
+
+    #[inline(never)]
     fn between(&mut self, columns: Range<i32>, first: Coverage, last: Coverage) -> Result<(), Infallible> {
         let [start, end] = [columns.start, columns.end].map(|x| offset_from(self.left, x) as usize);
         if let Some([left, inside @ .., right]) = self.words.get_mut(start..end) {

@@ -23,6 +23,15 @@ pub trait Emit<E> {
         self.span(x..x + 1, coverage)
     }
 
+    /// Takes the pixels of two columns, both covered as much.
+    ///
+    /// # Errors
+    /// The error of the target or the closure that takes the pixels.
+    #[inline(always)]
+    fn two_pixels(&mut self, columns: [i32; 2], coverage: Coverage) -> Result<(), E> {
+        columns.into_iter().try_for_each(|x| self.pixel(x, coverage))
+    }
+
     /// Takes the pixels of some columns, all covered as much.
     ///
     /// # Errors
@@ -64,6 +73,11 @@ impl<E, T: Emit<E>> Emit<E> for ByReference<'_, T> {
     #[inline(always)]
     fn pixel(&mut self, x: i32, coverage: Coverage) -> Result<(), E> {
         self.0.pixel(x, coverage)
+    }
+
+    #[inline(always)]
+    fn two_pixels(&mut self, columns: [i32; 2], coverage: Coverage) -> Result<(), E> {
+        self.0.two_pixels(columns, coverage)
     }
 
     #[inline(always)]

@@ -48,7 +48,9 @@ mod samples;
 mod sweep;
 
 pub use any_coverage::AnyCoverage;
-pub(crate) use area::{AREA_BITS, Cell, Combination, CombinedArea, RowParts, UnorderedRow, for_each_visible_cell};
+pub(crate) use area::{
+    AREA_BITS, Cell, Combination, CombinedArea, Mirror, RowParts, UnorderedRow, for_each_visible_cell, in_room,
+};
 pub use area::{InsideArea, SignedArea};
 pub(crate) use edges::{COVER_BITS, RowSegment, Rows, X_BITS, X_ONE};
 pub(crate) use emit::{ByReference, Emit, EmitRows};

@@ -7,8 +7,8 @@ use zrow::{
     band::Band,
     coverage::InsideArea,
     draw::{
-        AntialiasedPolygon, AntialiasingMemory, DrawOn, FillRule, ItemId, Picture, PictureSlot, PrimitiveStyle, SubArc,
-        SubEllipse, SubLine, SubOutline,
+        AntialiasedPolygon, AntialiasingMemory, DrawAntialiased, DrawOn, FillRule, ItemId, Picture, PictureSlot,
+        PrimitiveStyle, SubArc, SubEllipse, SubLine, SubOutline,
     },
     fixed::types::{U0F16, U24F8},
     geometry::{InputError, Sub8, SubPixel, SubPoint, TooSmall, Window},
@@ -103,11 +103,20 @@ fn words(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<u16> 
     words
 }
 
-/// What shapes look like that are drawn one after the other, each as a polygon by the method that is picked for it.
+/// What shapes look like that are drawn one after the other, ellipses in a style, and each other one as a polygon by the method
+/// that is picked for it.
 fn drawn<'s>(area: Rectangle, shapes: impl IntoIterator<Item = &'s Shape>) -> Vec<u16> {
     words(area, |band| {
         let Ok(()) = background().draw_on(band);
         for (outline, fill_rule, color) in shapes {
+            if let Contours::Ellipse(ellipse) = outline {
+                // The right half of some is the mirror image of the left half, which a polygon does not know.
+                let styled = ellipse.into_styled(PrimitiveStyle::with_fill(*color).antialiased());
+                styled
+                    .draw_on(&mut band.antialiased::<512, 512>(&mut [0; 100]))
+                    .unwrap();
+                continue;
+            }
             let polygon = Polygon::prepare(outline, *fill_rule).unwrap();
             let method = polygon.exact_method(outline);
             polygon.draw(&method, *color, band, &mut [0; 100]).unwrap();

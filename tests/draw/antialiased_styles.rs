@@ -205,7 +205,7 @@ fn too_little_memory_is_an_error_that_says_how_much() {
     );
     assert_eq!(
         drawn::<156, 1>(&circle, &mut words, &mut row),
-        too_small(TooSmall::ActiveEdges(8))
+        too_small(TooSmall::ActiveEdges(4))
     );
     assert_eq!(
         drawn::<156, 9>(&circle, &mut words, &mut row),

@@ -36,6 +36,7 @@ mod flood_fill;
 mod groups;
 mod lines;
 mod mask_texts;
+mod mirrored_ellipses;
 mod moved_lines;
 mod outline_texts;
 mod picture_contours;

@@ -33,7 +33,7 @@ pub(super) struct AccumulationBuffer<'c> {
 /// The columns, or as many of the first ones as there are cells for, and the cells of them: one more than columns, for what
 /// lies right of them.
 #[inline(always)]
-pub(super) fn in_room<'c>(columns: &Range<i32>, cells: &'c mut [i32]) -> (Range<i32>, &'c mut [i32]) {
+pub(crate) fn in_room<'c>(columns: &Range<i32>, cells: &'c mut [i32]) -> (Range<i32>, &'c mut [i32]) {
     let columns = with_room(columns, cells.len().saturating_sub(1));
     let count = (columns.end - columns.start + 1) as usize;
     let (cells, _) = cells.split_at_mut(count.min(cells.len()));

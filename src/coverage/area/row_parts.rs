@@ -94,6 +94,20 @@ impl<'c> RowParts<'c> {
         coverage: impl Fn(i32) -> Coverage,
         emit: &mut impl Emit<E>,
     ) -> Result<(), E> {
+        self.cover_but_last(sides, &coverage, emit)?.emit_pixel(coverage, emit)
+    }
+
+    /// Emits the spans of the row but for the last pixel, whose cell is returned, and takes all parts out.
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    #[inline(always)]
+    pub(super) fn cover_but_last<E>(
+        &mut self,
+        sides: ColumnSides,
+        coverage: impl Fn(i32) -> Coverage,
+        emit: &mut impl Emit<E>,
+    ) -> Result<CurrentCell, E> {
         let swept = self.sweep(sides, coverage, emit);
         if swept.is_err() {
             self.buffer.clear();
@@ -112,7 +126,7 @@ impl<'c> RowParts<'c> {
         sides: ColumnSides,
         coverage: impl Fn(i32) -> Coverage,
         emit: &mut impl Emit<E>,
-    ) -> Result<(), E> {
+    ) -> Result<CurrentCell, E> {
         let mut current = CurrentCell::NOTHING;
         let mut parts = self.parts.as_slice();
         while let [part, others @ ..] = parts {
@@ -136,7 +150,7 @@ impl<'c> RowParts<'c> {
             current = sweep_cluster(columns, &mut self.buffer, current, &coverage, emit)?;
             parts = others;
         }
-        current.emit_pixel(coverage, emit)
+        Ok(current)
     }
 }
 

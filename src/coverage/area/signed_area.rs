@@ -19,6 +19,7 @@ use crate::{
         Coverage, CoverageMethod, Emit, EmitRows,
         area::{
             accumulation_buffer::{AREA_ONE, AccumulationBuffer, coverage_of_size, in_room},
+            mirrored_rows::{self, Mirror},
             row_parts::RowParts,
             siblings::dense_rows,
             sparse_row::{ColumnSides, CountedEdges, cover},
@@ -43,6 +44,34 @@ impl SignedArea {
     pub(crate) fn cover_parts<E>(parts: &mut RowParts<'_>, emit: &mut impl Emit<E>) -> Result<(), E> {
         let sides = ColumnSides::of(&parts.buffer.columns);
         parts.cover(sides, coverage_by(FillRule::NonZero), emit)
+    }
+
+    /// Hands over the pixels of all rows whose right half is the mirror image of their left half, the edges of which are given.
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    #[inline(always)]
+    pub(crate) fn cover_mirrored_rows<E>(
+        rows: Rows<'_>,
+        mirror: Mirror,
+        cells: &mut [i32],
+        emit: &mut impl EmitRows<E>,
+    ) -> Result<(), E> {
+        mirrored_rows::cover_all(rows, mirror, cells, coverage_by(FillRule::NonZero), emit)
+    }
+
+    /// Hands over the pixels of a row whose right half is the mirror image of its left half, from the parts of the left half,
+    /// and takes all parts out.
+    ///
+    /// # Errors
+    /// The first error that `emit` returns.
+    #[inline(always)]
+    pub(crate) fn cover_mirrored<E>(
+        parts: &mut RowParts<'_>,
+        mirror: Mirror,
+        emit: &mut impl Emit<E>,
+    ) -> Result<(), E> {
+        mirror.cover_parts(parts, coverage_by(FillRule::NonZero), emit)
     }
 }
 

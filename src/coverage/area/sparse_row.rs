@@ -151,7 +151,7 @@ pub(super) fn are_disjoint([_, left_end]: [i32; 2], [right_start, _]: [i32; 2]) 
 }
 
 /// The cell of the last pixel that was reached, with the covers of all cells before it added to its own.
-pub(super) struct CurrentCell(Cell);
+pub(super) struct CurrentCell(pub(super) Cell);
 
 impl CurrentCell {
     /// The state before the first segment of a row, when no pixel was reached: nothing is emitted for it.
@@ -163,7 +163,7 @@ impl CurrentCell {
 
     /// How much of the pixel is covered.
     #[inline(always)]
-    fn coverage(&self, coverage: impl Fn(i32) -> Coverage) -> Coverage {
+    pub(super) fn coverage(&self, coverage: impl Fn(i32) -> Coverage) -> Coverage {
         coverage((self.0.cover - self.0.area).0)
     }
 

@@ -51,10 +51,11 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     /// `row_memory` has one cell more than the band has columns, all of them 0, as they are again after each shape.
     ///
     /// `EDGES` is the number of edges that an outline has, those that are level left out, and `ACTIVE` the most of them in one
-    /// row of pixels. Of circles, ellipses, arcs, sectors and rounded corners only the edges in the rows of the band count. A
-    /// stroke inside or outside of a [`Polygon`](crate::draw::Polygon) or a [`Path`](crate::draw::Path), and the fill below it,
-    /// each have the edges of the shape and those of a centred stroke. RAM on a 32-bit machine, on the stack while a shape is
-    /// drawn: `20 * EDGES` bytes for its fill and as many for its stroke, and `64 * ACTIVE`.
+    /// row of pixels. Of circles, ellipses, arcs, sectors and rounded corners only the edges in the rows of the band count, and
+    /// of the fill of an ellipse about an axis in the middle or at a side of pixels only those of the left half, which is
+    /// mirrored. A stroke inside or outside of a [`Polygon`](crate::draw::Polygon) or a [`Path`](crate::draw::Path), and the
+    /// fill below it, each have the edges of the shape and those of a centred stroke. RAM on a 32-bit machine, on the stack
+    /// while a shape is drawn: `20 * EDGES` bytes for its fill and as many for its stroke, and `64 * ACTIVE`.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
@@ -121,6 +122,12 @@ pub trait DrawAntialiased {
         false
     }
 
+    /// Whether an outline of the shape may be its own [mirror image](SubOutline::mirror).
+    #[doc(hidden)]
+    fn may_be_mirrored(&self) -> bool {
+        false
+    }
+
     /// Calls `layer` with each combination of the shape and its stroke, from the lowest one on.
     ///
     /// # Errors
@@ -161,7 +168,11 @@ pub trait DrawAntialiased {
         let mut layers = Vec::<(&AntialiasedPolygon<EDGES, ACTIVE>, AnyCoverage, T::Color), MOST_LAYERS>::new();
         let prepared = self.layers(&mut |layer| {
             let polygon = next_polygon(&mut free)?;
-            polygon.set_up_for(&(window.top..window.bottom), layer.outline, layer.fill_rule)?;
+            let rows = window.top..window.bottom;
+            match layer.outline.mirror().filter(|_| self.may_be_mirrored()) {
+                Some(mirror) => polygon.set_up_left_half(&rows, layer.outline, mirror)?,
+                None => polygon.set_up_for(&rows, layer.outline, layer.fill_rule)?,
+            }
             let method = polygon.exact_method(layer.outline);
             let pushed = layers.push((polygon, method, layer.color));
             debug_assert!(pushed.is_ok(), "there is a place for each polygon");
@@ -172,9 +183,13 @@ pub trait DrawAntialiased {
         if row_memory.len() < needed {
             return Err(DrawError::TooSmall(TooSmall::Cells(needed)));
         }
-        layers
-            .iter()
-            .try_for_each(|(polygon, method, color)| polygon.draw(method, *color, *target, row_memory))
+        layers.iter().try_for_each(|(polygon, method, color)| {
+            if self.may_be_mirrored() && polygon.is_mirrored() {
+                polygon.draw_mirrored(*color, *target, row_memory)
+            } else {
+                polygon.draw(method, *color, *target, row_memory)
+            }
+        })
     }
 }
 
@@ -250,6 +265,10 @@ impl<S: OutlinedShape, C: PixelColor> DrawAntialiased for Styled<S, Antialiased<
 
     fn is_cut_off(&self) -> bool {
         S::IS_CUT_OFF && is_aligned(&self.style.0)
+    }
+
+    fn may_be_mirrored(&self) -> bool {
+        S::MAY_BE_MIRRORED
     }
 
     fn aligned_layers(&self, layer: &mut AlignedSink<'_, C>) -> Result<(), InputError> {

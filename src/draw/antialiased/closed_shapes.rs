@@ -147,6 +147,8 @@ impl OutlinedShape for Rectangle {
 }
 
 impl OutlinedShape for Circle {
+    const MAY_BE_MIRRORED: bool = true;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         ellipse_layers(&self.bounding_box(), style, layer)
     }
@@ -157,6 +159,8 @@ impl OutlinedShape for Circle {
 }
 
 impl OutlinedShape for Ellipse {
+    const MAY_BE_MIRRORED: bool = true;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         ellipse_layers(&self.bounding_box(), style, layer)
     }

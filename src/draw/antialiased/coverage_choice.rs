@@ -25,7 +25,9 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
     /// ([`SubOutline::is_simple`]) or its edges lie on pixel boundaries. A filtered line is never chosen, since its filter
     /// gives other coverages.
     pub fn exact_method<O: SubOutline + ?Sized>(&self, outline: &O) -> AnyCoverage {
-        if self.edges().iter().all(AntialiasedEdge::is_aligned) {
+        if self.is_mirrored() {
+            AnyCoverage::SignedArea
+        } else if self.edges().iter().all(AntialiasedEdge::is_aligned) {
             AnyCoverage::CentreSample
         } else if outline.is_simple() || is_simple(outline, self.edges()) {
             AnyCoverage::SignedArea

@@ -59,10 +59,11 @@ impl RowSides {
 }
 
 impl RoundOutline {
-    /// Calls `edge` with the edges that have a part in some rows, and perhaps with others, in the order of the outline.
-    pub(super) fn edges_between(&self, rows: RowSides, edge: &mut EdgeSink<'_>) {
+    /// Calls `edge` with the edges that have a part in some rows, and perhaps with others, in the order of the outline. With
+    /// `only_up` only with those along which the outline runs up: the left half of an ellipse.
+    pub(super) fn edges_between(&self, rows: RowSides, only_up: bool, edge: &mut EdgeSink<'_>) {
         for contour in (0..self.contours()).filter_map(|number| self.contour(number)) {
-            contour.edges_between(rows, edge);
+            contour.edges_between(rows, only_up, edge);
         }
     }
 
@@ -74,13 +75,14 @@ impl RoundOutline {
 }
 
 impl RoundContour {
-    fn edges_between(&self, rows: RowSides, edge: &mut EdgeSink<'_>) {
+    fn edges_between(&self, rows: RowSides, only_up: bool, edge: &mut EdgeSink<'_>) {
         let arcs = self.arcs();
         let followers = arcs.iter().skip(1).chain(arcs.first());
         for (arc, next) in arcs.iter().zip(followers) {
-            arc.edges_between(rows, edge);
+            arc.edges_between(rows, only_up, edge);
             let last = arc.corners() - 1;
-            if rows.meet(arc.y_of(last), next.y_of(0)) {
+            let ends = [arc.y_of(last), next.y_of(0)];
+            if rows.meet(ends[0], ends[1]) && !(only_up && ends[0] < ends[1]) {
                 edge(arc.corner(last), next.corner(0));
             }
         }
@@ -88,12 +90,12 @@ impl RoundContour {
 }
 
 impl OutlineArc {
-    fn edges_between(&self, rows: RowSides, edge: &mut EdgeSink<'_>) {
+    fn edges_between(&self, rows: RowSides, only_up: bool, edge: &mut EdgeSink<'_>) {
         let mut before: Option<(u16, i32)> = None;
         self.turns(Axis::Y, &mut |index| {
             let y = self.y_of(index);
             if let Some((start, start_y)) = before {
-                if rows.meet(start_y, y) {
+                if rows.meet(start_y, y) && !(only_up && start_y < y) {
                     self.walk(start..index, start_y < y, rows, edge);
                 }
             }
@@ -189,7 +191,7 @@ mod tests {
                 ] {
                     let sides = RowSides::of(&rows);
                     let mut found = Vec::new();
-                    outline.edges_between(sides, &mut |from, to| found.push((from, to)));
+                    outline.edges_between(sides, false, &mut |from, to| found.push((from, to)));
                     let mut rest = all.iter();
                     assert!(
                         found.iter().all(|edge| rest.any(|other| other == edge)),

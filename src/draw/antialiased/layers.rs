@@ -98,6 +98,11 @@ pub trait OutlinedShape {
     #[doc(hidden)]
     const IS_CUT_OFF: bool = false;
 
+    /// Whether an outline of the shape may be its own [mirror image](SubOutline::mirror). A constant, so that what draws such
+    /// outlines is linked for such shapes only.
+    #[doc(hidden)]
+    const MAY_BE_MIRRORED: bool = false;
+
     /// Calls `layer` with the outline of the fill and then with that of the stroke, if they are not empty and have a
     /// colour.
     ///
@@ -130,6 +135,7 @@ pub trait OutlinedShape {
 
 impl<S: OutlinedShape> OutlinedShape for &S {
     const IS_CUT_OFF: bool = S::IS_CUT_OFF;
+    const MAY_BE_MIRRORED: bool = S::MAY_BE_MIRRORED;
 
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         S::layers(self, style, layer)

@@ -161,10 +161,20 @@ impl OutlineArc {
         [x + scaled(across, cosine), y + scaled(down, sine)]
     }
 
+    /// The sum of a column and its mirror image about the vertical axis of a whole ellipse from its top on, where the axis lies
+    /// in the middle or at a side of pixels.
+    pub(super) fn mirror(&self) -> Option<i32> {
+        /// Bits of the distance from the middle of a pixel to its side.
+        const HALF_BITS: u32 = Sub8::FRACTION_BITS - 1;
+        let [x, _] = self.center;
+        let is_whole = self.sweep == TURN && self.start == TOP && self.chords_of_quarter != 0;
+        (is_whole && x & ((1 << HALF_BITS) - 1) == 0).then_some(x >> HALF_BITS)
+    }
+
     /// Calls `edge` with the edges of a whole ellipse from its top on, between corners of which those of a quarter are computed
     /// and the others mirrored. Returns `false`, and does nothing, for any other arc, and where a quarter has more than
-    /// [`MOST_MIRRORED`] chords.
-    pub(super) fn mirrored_edges(&self, edge: &mut dyn FnMut(Corner, Corner)) -> bool {
+    /// [`MOST_MIRRORED`] chords. With `left_half` only those left of the centre of an ellipse that runs clockwise.
+    pub(super) fn mirrored_edges(&self, left_half: bool, edge: &mut dyn FnMut(Corner, Corner)) -> bool {
         let chords = usize::from(self.chords_of_quarter);
         let is_whole = self.sweep == TURN && self.start == TOP;
         if !is_whole || chords == 0 || chords > MOST_MIRRORED {
@@ -179,8 +189,12 @@ impl OutlineArc {
             *corner = [scaled(across, cosine) as u16, scaled(down, -sine) as u16];
         }
         let forward = if self.is_reversed { -1 } else { 1 };
-        let mut from = [x, y - down as i32];
-        for [to_right, downwards] in [[1, -1], [1, 1], [-1, 1], [-1, -1]] {
+        let (mut from, skipped) = if left_half {
+            ([x, y + down as i32], 2)
+        } else {
+            ([x, y - down as i32], 0)
+        };
+        for [to_right, downwards] in [[1, -1], [1, 1], [-1, 1], [-1, -1]].into_iter().skip(skipped) {
             for step in 1..=chords {
                 let number = if to_right == downwards { chords - step } else { step };
                 let [across, along] = quarter.get(number).map_or([0; 2], |corner| corner.map(i32::from));
@@ -320,7 +334,7 @@ mod tests {
                 let ellipse = OutlineArc::new(CENTER, radii, (TOP, TURN)).unwrap();
                 for ellipse in [ellipse, ellipse.reversed()] {
                     let mut mirrored = Vec::new();
-                    if ellipse.mirrored_edges(&mut |from, to| mirrored.push([from, to])) {
+                    if ellipse.mirrored_edges(false, &mut |from, to| mirrored.push([from, to])) {
                         let corner = |index: u16| ellipse.corner(index % ellipse.corners());
                         let edges = (0..ellipse.corners()).map(|index| [corner(index), corner(index + 1)]);
                         assert!(edges.eq(mirrored), "{radii:?}");
@@ -333,7 +347,7 @@ mod tests {
         // Neither is a turn that begins elsewhere, nor a part of one.
         for angles in [(0, TURN), (TOP, TURN - 1)] {
             let arc = OutlineArc::new(CENTER, [900; 2], angles).unwrap();
-            assert!(!arc.mirrored_edges(&mut |_, _| ()));
+            assert!(!arc.mirrored_edges(false, &mut |_, _| ()));
         }
     }
 

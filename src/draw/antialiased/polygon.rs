@@ -14,7 +14,7 @@ use heapless::{Vec, VecView};
 
 use crate::{
     coverage::{
-        Coverage, CoverageMethod,
+        Coverage, CoverageMethod, Mirror, SignedArea,
         edges::{
             AntialiasedEdge, RowSegment, Rows,
             antialiased_edge::NO_EDGE,
@@ -65,6 +65,9 @@ pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
     /// The row after the last one that an edge lies in.
     end_row: i32,
     fill_rule: FillRule,
+    /// Where the edges are those of the left half of an outline alone, the right half of which is its mirror image: the sum of
+    /// a column and its mirror image.
+    mirror: Option<i32>,
 }
 
 impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> {
@@ -91,6 +94,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
             first: NO_EDGE,
             end_row: i32::MIN,
             fill_rule: FillRule::NonZero,
+            mirror: None,
         }
     }
 
@@ -129,6 +133,23 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         fill_rule: FillRule,
     ) -> Result<(), InputError> {
         self.collect(fill_rule, |edge| outline.edges_in_rows(rows, edge))
+    }
+
+    /// [`set_up_for`](Self::set_up_for) the left half of an outline whose right half is its [mirror image](SubOutline::mirror),
+    /// for [`draw_mirrored`](Self::draw_mirrored). `mirror` is the sum of a column and its mirror image.
+    ///
+    /// # Errors
+    /// [`InputError::OutOfDomain`] where a corner is outside the domain of [`Sub8`]; [`InputError::TooSmall`] with the table
+    /// that is too small and the number that is needed. The polygon is empty then.
+    pub(super) fn set_up_left_half(
+        &mut self,
+        rows: &Range<i32>,
+        outline: &dyn SubOutline,
+        mirror: i32,
+    ) -> Result<(), InputError> {
+        self.collect(FillRule::NonZero, |edge| outline.left_edges_in_rows(rows, edge))?;
+        self.mirror = Some(mirror);
+        Ok(())
     }
 
     /// Puts the edges that `hand_over` hands over in the place of those before, and links their chains. The table is empty after
@@ -179,6 +200,7 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         self.edges.clear();
         self.first = NO_EDGE;
         self.end_row = i32::MIN;
+        self.mirror = None;
     }
 
     /// A window around all pixels of which something is covered; empty where the outline has no edge that is not level.
@@ -220,6 +242,11 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         self.fill_rule
     }
 
+    /// Whether the edges are those of the left half alone, and the right half is its mirror image.
+    pub(super) fn is_mirrored(&self) -> bool {
+        self.mirror.is_some()
+    }
+
     /// Blends the visible part of the polygon over the target, with coverage from `method`. `row_memory` is as for
     /// [`cover`](Self::cover), for the width of the target's window.
     ///
@@ -256,6 +283,28 @@ impl<const EDGES: usize, const ACTIVE: usize> AntialiasedPolygon<EDGES, ACTIVE> 
         };
         let mut blender = target.blender(color);
         let drawn = method.cover_rows(rows, self.fill_rule, columns, row_memory, &mut blender);
+        drawn.map_err(DrawError::Target)
+    }
+
+    /// Blends the visible part of an outline over the target of which the left half is set up.
+    ///
+    /// # Errors
+    /// [`DrawError::TooSmall`] if `row_memory` has too few cells; nothing is drawn then. [`DrawError::Target`] with the
+    /// target's own error.
+    pub(super) fn draw_mirrored<B: BlendTarget>(
+        &self,
+        color: B::Color,
+        target: &mut B,
+        row_memory: &mut [i32],
+    ) -> Result<(), DrawError<B::Error>> {
+        let window = target.window();
+        let mut segments = Vec::<RowSegment, 0>::new();
+        let visible = self.rows::<SignedArea>(&window, row_memory, segments.as_mut_view());
+        let (Some((rows, columns)), Some(mirror)) = (visible.map_err(DrawError::TooSmall)?, self.mirror) else {
+            return Ok(());
+        };
+        let mirror = Mirror::of(mirror, &columns);
+        let drawn = SignedArea::cover_mirrored_rows(rows, mirror, row_memory, &mut target.blender(color));
         drawn.map_err(DrawError::Target)
     }
 

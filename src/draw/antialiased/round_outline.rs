@@ -50,10 +50,10 @@ impl RoundContour {
         Ok(Self::new(&[OutlineArc::new(center, radii, (TOP, TURN))?]))
     }
 
-    /// Calls `edge` with the edges of an ellipse, computed faster than corner by corner. Returns `false`, and does nothing, for
-    /// other contours, and for large ellipses.
-    pub(super) fn mirrored_edges(&self, edge: &mut dyn FnMut(Corner, Corner)) -> bool {
-        matches!(self.arcs(), [ellipse] if ellipse.mirrored_edges(edge))
+    /// Calls `edge` with the edges of an ellipse, computed faster than corner by corner, with `left_half` only those left of
+    /// its centre. Returns `false`, and does nothing, for other contours, and for large ellipses.
+    pub(super) fn mirrored_edges(&self, left_half: bool, edge: &mut dyn FnMut(Corner, Corner)) -> bool {
+        matches!(self.arcs(), [ellipse] if ellipse.mirrored_edges(left_half, edge))
     }
 
     /// The contour in the opposite direction, for a hole.
@@ -107,6 +107,15 @@ impl RoundOutline {
         Self {
             outer,
             inner: inner.map(RoundContour::reversed),
+        }
+    }
+
+    /// The sum of a column and its mirror image about the vertical axis of an ellipse without a hole, where the axis lies in
+    /// the middle or at a side of pixels.
+    pub(super) fn mirror_of_ellipse(&self) -> Option<i32> {
+        match (self.outer.arcs(), &self.inner) {
+            ([ellipse], None) => ellipse.mirror(),
+            _ => None,
         }
     }
 

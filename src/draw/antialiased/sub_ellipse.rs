@@ -86,6 +86,14 @@ impl SubOutline for SubEllipse {
         self.outline().edges_in_rows(rows, edge);
     }
 
+    fn mirror(&self) -> Option<i32> {
+        self.outline().mirror()
+    }
+
+    fn left_edges_in_rows(&self, rows: &Range<i32>, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        self.outline().left_edges_in_rows(rows, edge);
+    }
+
     fn round(&self) -> Option<RoundOutline> {
         Some(self.outline())
     }
@@ -109,6 +117,8 @@ impl Dimensions for SubEllipse {
 impl Primitive for SubEllipse {}
 
 impl OutlinedShape for SubEllipse {
+    const MAY_BE_MIRRORED: bool = true;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         let around = OutlineBox {
             center: [self.center.x_units(), self.center.y_units()].map(i64::from),

@@ -13,7 +13,10 @@ use embedded_graphics::{
 use crate::{
     draw::{
         Path,
-        antialiased::{edges_in_rows::RowSides, round_outline::RoundOutline},
+        antialiased::{
+            edges_in_rows::RowSides,
+            round_outline::{RoundContour, RoundOutline},
+        },
     },
     geometry::{InputError, Sub8, SubPixel, SubPoint},
     scan::stroke::wide_stroke,
@@ -61,6 +64,20 @@ pub trait SubOutline {
         self.edges(edge);
     }
 
+    /// The sum of a column and its mirror image, where the right half of an outline is the mirror image of its left half: one
+    /// y-monotone chain, which is all that antialiasing computes then. Such an outline is [`is_simple`](Self::is_simple).
+    #[doc(hidden)]
+    fn mirror(&self) -> Option<i32> {
+        None
+    }
+
+    /// Calls `edge` as [`edges_in_rows`](Self::edges_in_rows) does, with the edges of the left half alone of an outline that is
+    /// [mirrored](Self::mirror).
+    #[doc(hidden)]
+    fn left_edges_in_rows(&self, rows: &Range<i32>, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+        self.edges_in_rows(rows, edge);
+    }
+
     /// The parameters of an outline whose corners can be computed one by one, in any order.
     #[doc(hidden)]
     fn round(&self) -> Option<RoundOutline> {
@@ -98,7 +115,7 @@ impl<S: SubPixel> SubOutline for Path<'_, S> {
 impl SubOutline for RoundOutline {
     fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
         for contour in (0..self.contours()).filter_map(|number| self.contour(number)) {
-            if !contour.mirrored_edges(edge) {
+            if !contour.mirrored_edges(false, edge) {
                 close((0..contour.corners()).map(|index| contour.corner(index)), edge);
             }
         }
@@ -109,12 +126,24 @@ impl SubOutline for RoundOutline {
         if self.lies_in(rows) {
             self.edges(edge);
         } else {
-            self.edges_between(rows, edge);
+            self.edges_between(rows, false, edge);
+        }
+    }
+
+    fn left_edges_in_rows(&self, rows: &Range<i32>, edge: &mut dyn FnMut(Corner, Corner)) {
+        let rows = RowSides::of(rows);
+        let are_mirrored = |contour: &RoundContour| contour.mirrored_edges(true, edge);
+        if !(self.lies_in(rows) && self.contour(0).is_some_and(are_mirrored)) {
+            self.edges_between(rows, true, edge);
         }
     }
 
     fn is_simple(&self) -> bool {
         true
+    }
+
+    fn mirror(&self) -> Option<i32> {
+        self.mirror_of_ellipse()
     }
 
     fn round(&self) -> Option<RoundOutline> {

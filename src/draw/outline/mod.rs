@@ -43,6 +43,6 @@ pub use memory::AntialiasingMemory;
 pub(crate) use memory::RowMemory;
 pub(crate) use row_edges::most_edges;
 pub(crate) use rows::Progress;
-pub(crate) use store::store;
+pub(crate) use store::{store, store_whole};
 pub(crate) use stored::StoredOutline;
 pub(crate) use translate::{check_moved, translate};

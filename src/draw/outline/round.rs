@@ -40,11 +40,17 @@ pub(super) fn is_kept_as_arcs(outline: &RoundOutline) -> bool {
         contours.flat_map(RoundContour::arcs)
     };
     let corners: usize = arcs().map(|arc| usize::from(arc.corners())).sum();
-    arcs().count() * (ARC_WORDS + CHAIN_WORDS) < corners && arcs().any(|arc| arc.chords_of_quarter() >= LEAST_CHORDS)
+    let takes_less = arcs().count() * (ARC_WORDS + CHAIN_WORDS) < corners;
+    takes_less && arcs().any(|arc| arc.chords_of_quarter() >= LEAST_CHORDS)
 }
 
-/// Writes an outline of arcs into words, with a fill rule.
-pub(super) fn store(outline: &RoundOutline, fill_rule: FillRule, payload: &mut Payload<'_>) -> Stored {
+/// Writes an outline of arcs into words, with a fill rule. Of an ellipse that is mirrored only the left half is written.
+pub(super) fn store(
+    outline: &RoundOutline,
+    is_mirrored: bool,
+    fill_rule: FillRule,
+    payload: &mut Payload<'_>,
+) -> Stored {
     let start = payload.needed();
     for _ in 0..HEADER_WORDS {
         payload.push(0);
@@ -69,6 +75,7 @@ pub(super) fn store(outline: &RoundOutline, fill_rule: FillRule, payload: &mut P
             corners: Corners::Round,
             fill_rule,
             method: AnyCoverage::SignedArea,
+            is_mirrored,
             first_chain: NONE,
             most_chains: 0,
             origin: counts,
@@ -91,7 +98,8 @@ pub(super) fn store(outline: &RoundOutline, fill_rule: FillRule, payload: &mut P
     set_header(writer.payload, start, writer.header);
     Stored {
         bounds: bounds(least, most),
-        segments: writer.rows.most_edges(),
+        // A mirrored row is made from the parts of edges themselves.
+        segments: if is_mirrored { 0 } else { writer.rows.most_edges() },
     }
 }
 
@@ -144,7 +152,9 @@ impl Writer<'_, '_> {
 
     /// Adds a part that is monotone in y, from one position to another, to the open chain or to one of its own.
     fn add_part(&mut self, [from, to]: [u16; 2], [from_y, to_y]: [i32; 2], arc: Option<&OutlineArc>) {
-        if from_y == to_y {
+        // An ellipse runs down along its right half.
+        let is_right_half = self.header.is_mirrored && from_y < to_y;
+        if from_y == to_y || is_right_half {
             self.close_chain();
             return;
         }

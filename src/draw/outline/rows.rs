@@ -4,11 +4,12 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        CoverageMethod, Emit, RowParts, SignedArea,
+        CoverageMethod, Emit, Mirror, RowParts, SignedArea,
         edges::{
             ActiveEdge, AntialiasedEdge, RowSegment, X_BITS, Y_ONE,
             chain_walk::{PartSink, signed},
         },
+        in_room,
     },
     draw::{
         antialiased::DOMAIN,
@@ -98,6 +99,9 @@ impl Progress {
         if is_cut && self.passes_by(outline, memory, row, &columns) {
             return Ok(());
         }
+        if let Some(mirror) = outline.mirror() {
+            return self.draw_mirrored_row(outline, memory, row, columns, mirror, emit);
+        }
         if outline.is_signed() {
             if let Some(mut parts) = RowMemory::parts_in(memory.cells, &columns) {
                 self.go_to(outline, memory.edges, row, &mut parts);
@@ -106,6 +110,46 @@ impl Progress {
         }
         let count = self.make_segments(outline, memory, row);
         memory.cover_columns(count, &outline.method(), outline.fill_rule(), columns, emit)
+    }
+
+    /// Hands over the covered pixels of a row of an outline whose right half is the mirror image of its left half. `mirror` is
+    /// the sum of a column and its mirror image.
+    #[inline(never)]
+    fn draw_mirrored_row<E>(
+        &mut self,
+        outline: StoredOutline<'_>,
+        memory: &mut RowMemory<'_>,
+        row: i32,
+        columns: Range<i32>,
+        mirror: i32,
+        emit: &mut impl Emit<E>,
+    ) -> Result<(), E> {
+        // Columns that are drawn at once.
+        let step = i32::try_from(memory.cells.len().saturating_sub(1))
+            .unwrap_or(i32::MAX)
+            .max(1);
+        // Columns outside the domain are cut off: their position in 1/8192 pixel could overflow.
+        let (mut start, end) = (columns.start.max(DOMAIN.start), columns.end.min(DOMAIN.end));
+        let (before, edge) = (*self, memory.edges_at(self.first_edge, 1).first().copied());
+        loop {
+            let strip = start..end.min(start.saturating_add(step)).max(start);
+            if start > columns.start {
+                // Back to the top of the row.
+                *self = before;
+                if let (Some(edge), [room]) = (edge, memory.edges_at(self.first_edge, 1)) {
+                    *room = edge;
+                }
+            }
+            start = strip.end;
+            let mirror = Mirror::of(mirror, &strip);
+            let (half, cells) = in_room(&mirror.left_half(), memory.cells);
+            let mut parts = RowParts::new(&half, cells);
+            self.go_to(outline, memory.edges, row, &mut parts);
+            SignedArea::cover_mirrored(&mut parts, mirror, emit)?;
+            if start >= end {
+                return Ok(());
+            }
+        }
     }
 
     /// Hands over the covered pixels of a row as [`draw_row`](Self::draw_row) does, by a method that tells edges apart: whether

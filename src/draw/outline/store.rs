@@ -24,7 +24,8 @@ use crate::{
 };
 
 /// Writes an outline into words, with a fill rule and the cheapest method that is exact for it. Where it could have more
-/// segments in a row than there is memory for, they are counted.
+/// segments in a row than there is memory for, they are counted. Of one that is its own [mirror image](SubOutline::mirror), the
+/// left half is written.
 ///
 /// # Errors
 /// [`InputError::OutOfDomain`] where a corner lies outside the domain of [`Sub8`].
@@ -33,7 +34,29 @@ pub(crate) fn store(
     fill_rule: FillRule,
     payload: &mut Payload<'_>,
 ) -> Result<Stored, InputError> {
-    let mut stored = match store_arcs(outline, fill_rule, payload) {
+    store_as(outline, outline.mirror().is_some(), fill_rule, payload)
+}
+
+/// Writes an outline into words as [`store`] does, so that its pixels come from left to right: also of one that is its own
+/// mirror image, both halves.
+///
+/// # Errors
+/// [`InputError::OutOfDomain`] where a corner lies outside the domain of [`Sub8`].
+pub(crate) fn store_whole(
+    outline: &dyn SubOutline,
+    fill_rule: FillRule,
+    payload: &mut Payload<'_>,
+) -> Result<Stored, InputError> {
+    store_as(outline, false, fill_rule, payload)
+}
+
+fn store_as(
+    outline: &dyn SubOutline,
+    is_mirrored: bool,
+    fill_rule: FillRule,
+    payload: &mut Payload<'_>,
+) -> Result<Stored, InputError> {
+    let mut stored = match store_arcs(outline, is_mirrored, fill_rule, payload) {
         Some(stored) => stored,
         None => store_corners(outline, fill_rule, payload)?,
     };
@@ -47,9 +70,14 @@ pub(crate) fn store(
 /// Writes an outline into words by its arcs, if it is kept as arcs. Not inlined, and neither is the other way, so that the
 /// stack holds the tables of one of them only.
 #[inline(never)]
-fn store_arcs(outline: &dyn SubOutline, fill_rule: FillRule, payload: &mut Payload<'_>) -> Option<Stored> {
+fn store_arcs(
+    outline: &dyn SubOutline,
+    is_mirrored: bool,
+    fill_rule: FillRule,
+    payload: &mut Payload<'_>,
+) -> Option<Stored> {
     let round = outline.round()?;
-    round::is_kept_as_arcs(&round).then(|| round::store(&round, fill_rule, payload))
+    (is_mirrored || round::is_kept_as_arcs(&round)).then(|| round::store(&round, is_mirrored, fill_rule, payload))
 }
 
 /// Writes an outline into words by its corners.
@@ -242,6 +270,7 @@ impl<'p, 'm> Writer<'p, 'm> {
             corners: if self.is_wide { Corners::Wide } else { Corners::Near },
             fill_rule: FillRule::NonZero,
             method: AnyCoverage::InsideArea,
+            is_mirrored: false,
             first_chain: self.first_chain,
             most_chains: 0,
             origin: self.origin.unwrap_or_default(),
@@ -307,6 +336,7 @@ impl<'p, 'm> Writer<'p, 'm> {
             corners: if self.is_wide { Corners::Wide } else { Corners::Near },
             fill_rule,
             method,
+            is_mirrored: false,
             first_chain: self.first_chain,
             most_chains: u16::try_from(most_chains).unwrap_or(u16::MAX),
             origin: self.origin.unwrap_or_default(),

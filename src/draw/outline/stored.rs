@@ -32,6 +32,8 @@ const WIDE: u32 = 1 << 16;
 const EVEN_ODD: u32 = 1 << 17;
 const ROUND: u32 = 1 << 18;
 const METHOD_SHIFT: u32 = 19;
+/// In the place of a method: the signed area of the left half, of which the right half is the mirror image.
+const MIRRORED: u32 = 3;
 
 /// How the corners of an outline lie in its words.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
@@ -57,6 +59,8 @@ pub(super) struct Header {
     pub(super) corners: Corners,
     pub(super) fill_rule: FillRule,
     pub(super) method: AnyCoverage,
+    /// Whether the chains are those of the left half alone, and the right half is its mirror image.
+    pub(super) is_mirrored: bool,
     pub(super) first_chain: u16,
     pub(super) most_chains: u16,
     /// Where the corners count from, in pixels; where they are [`Corners::Round`], how many arcs the outer and the inner
@@ -72,6 +76,7 @@ impl Header {
             AnyCoverage::SignedArea => 1,
             AnyCoverage::InsideArea => 2,
         };
+        let method = if self.is_mirrored { MIRRORED } else { method };
         let flag = |is_set: bool, flag: u32| if is_set { flag } else { 0 };
         let corners = flag(self.corners == Corners::Wide, WIDE) | flag(self.corners == Corners::Round, ROUND);
         let flags = corners | flag(self.fill_rule == FillRule::EvenOdd, EVEN_ODD);
@@ -208,7 +213,7 @@ impl<'w> StoredOutline<'w> {
     pub(super) fn method(&self) -> AnyCoverage {
         match self.word(0) >> METHOD_SHIFT {
             0 => AnyCoverage::CentreSample,
-            1 => AnyCoverage::SignedArea,
+            1 | MIRRORED => AnyCoverage::SignedArea,
             _ => AnyCoverage::InsideArea,
         }
     }
@@ -217,6 +222,14 @@ impl<'w> StoredOutline<'w> {
     #[inline(always)]
     pub(super) fn is_signed(&self) -> bool {
         self.word(0) & EVEN_ODD == 0 && self.method() == AnyCoverage::SignedArea
+    }
+
+    /// The sum of a column and its mirror image, where the chains are those of the left half of an outline alone, and its right
+    /// half is the mirror image of that.
+    #[inline(always)]
+    pub(super) fn mirror(&self) -> Option<i32> {
+        // The first word of an ellipse is the x of its axis.
+        (self.word(0) >> METHOD_SHIFT == MIRRORED).then(|| self.word(HEADER_WORDS) as i32 >> (Y_BITS - 1))
     }
 
     /// The position of the chain that begins first.
@@ -561,6 +574,9 @@ impl<'w> StoredOutline<'w> {
                 next = self.next_edge(edge, bottom);
             }
         }
-        (left, right)
+        match self.mirror() {
+            Some(mirror) if left < right => (left, mirror - left + 1),
+            _ => (left, right),
+        }
     }
 }

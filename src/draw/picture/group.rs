@@ -173,7 +173,7 @@ impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for Group {
 impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for PathGroup<'_> {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
         self.group.write(payload);
-        let stored = outline::store(self.path, self.fill_rule, payload);
+        let stored = outline::store_whole(self.path, self.fill_rule, payload);
         Draft {
             segments: stored.map(|stored| stored.segments),
             ..Draft::new(Extent::of(&WHOLE), not_used::<C>(), &BeginInPath)
