@@ -28,6 +28,7 @@ mod convex;
 mod difference;
 mod links;
 mod memory;
+mod monotone;
 mod round;
 mod row_edges;
 mod rows;

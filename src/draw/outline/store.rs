@@ -13,7 +13,7 @@ use crate::{
             chain_rows::ChainRows,
             convex::Turns,
             links::{Stored, bounds, neighbours, set_header, set_next},
-            round,
+            monotone, round,
             row_edges::most_edges,
             simple::is_simple,
             stored::{Corner, Corners, HEADER_WORDS, Header, NONE, StoredOutline, pair},
@@ -325,7 +325,9 @@ impl<'p, 'm> Writer<'p, 'm> {
             AnyCoverage::CentreSample
         } else if outline.is_simple()
             || self.turns.are_convex()
-            || self.turns.are_one_contour() && self.payload.is_complete() && is_simple(outline, stored)
+            || self.turns.are_one_contour()
+                && self.payload.is_complete()
+                && monotone::is_simple(stored).unwrap_or_else(|| is_simple(outline, stored))
         {
             AnyCoverage::SignedArea
         } else {

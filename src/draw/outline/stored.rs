@@ -424,14 +424,29 @@ impl<'w> StoredOutline<'w> {
     /// The chains of an outline whose corners are stored, in the order in which it runs along them.
     pub(super) fn chains_along(self) -> impl Iterator<Item = Chain> + 'w {
         // Chains begin at positions that are multiples of a corner.
-        let words_of_corner = if self.word(0) & WIDE == 0 { 1 } else { 2 };
-        let end = (self.word(0) & 0xffff) / words_of_corner;
-        let mut position = (HEADER_WORDS as u32).div_ceil(words_of_corner);
+        let first = (HEADER_WORDS as u32).div_ceil(self.words_of_corner());
+        let mut next = self.chain_along(first);
         core::iter::from_fn(move || {
-            let chain = self.chain(position as u16).filter(|_| position < end)?;
-            position += u32::from(chain.edges) + 2;
+            let chain = next?;
+            next = self.chain_behind(chain);
             Some(chain)
         })
+    }
+
+    /// The chain that follows another one in the order of [`chains_along`](Self::chains_along).
+    pub(super) fn chain_behind(self, chain: Chain) -> Option<Chain> {
+        self.chain_along(u32::from(self.first_corner(chain)) + u32::from(chain.corners()))
+    }
+
+    /// The chain at a position, unless the outline ends there.
+    fn chain_along(self, position: u32) -> Option<Chain> {
+        let end = (self.word(0) & 0xffff) / self.words_of_corner();
+        (position < end).then(|| self.chain(position as u16))?
+    }
+
+    /// How many words a stored corner takes.
+    fn words_of_corner(&self) -> u32 {
+        if self.word(0) & WIDE == 0 { 1 } else { 2 }
     }
 
     /// From the leftmost x of a chain's corners to the rightmost one, in 1/256 pixel.
@@ -550,7 +565,7 @@ impl<'w> StoredOutline<'w> {
     }
 
     /// The position of a chain's first corner in the order in which the outline runs along it.
-    fn first_corner(&self, chain: Chain) -> u16 {
+    pub(super) fn first_corner(&self, chain: Chain) -> u16 {
         if chain.runs_up {
             chain.top.wrapping_sub(chain.edges)
         } else {
