@@ -347,7 +347,7 @@ impl<'w> StoredOutline<'w> {
     fn arc_and_position(&self, index: i32) -> (OutlineArc, u16) {
         let start = HEADER_WORDS + index as usize * ARC_WORDS;
         let words = self.words.get(start..).and_then(<[u32]>::first_chunk);
-        words.map(OutlineArc::of_words).unwrap_or_default()
+        OutlineArc::of_words(words.unwrap_or(&[0; ARC_WORDS]))
     }
 
     /// The corner of an outline of arcs at a position.
