@@ -225,7 +225,8 @@ impl<'p, 'm> Writer<'p, 'm> {
     fn finish(&mut self) -> Window {
         self.close_chain();
         self.write_header();
-        for _ in 0..self.rows.most_chains() * ACTIVE_WORDS {
+        let [most_chains, _] = self.rows.most();
+        for _ in 0..most_chains * ACTIVE_WORDS {
             self.payload.push(0);
         }
         if self.least[0] > self.most[0] {

@@ -57,31 +57,30 @@ impl ChainRows {
         self.count += 1;
     }
 
-    /// The largest sum over all that lies in one row. Cost: as many steps as there are pairs.
-    fn most(&self, value: impl Fn(&ChainExtent) -> u16) -> usize {
+    /// The most chains and the most edges that lie in one row, or more than that where there are many. Cost: as many steps as there
+    /// are pairs.
+    pub(crate) fn most(&self) -> [usize; 2] {
         let known = self.extents.get(..self.count).unwrap_or(&self.extents);
-        // The sum grows only where a chain begins.
-        let in_row = |row: i16| {
-            known
-                .iter()
-                .filter(move |extent| (extent.first_row..extent.end_row).contains(&row))
-        };
-        let sum = |extent: &ChainExtent| in_row(extent.first_row).map(|extent| usize::from(value(extent))).sum();
-        known.iter().map(sum).max().unwrap_or(0)
-    }
-
-    /// The most chains that lie in one row, or more than that where there are many.
-    pub(crate) fn most_chains(&self) -> usize {
-        self.most(|extent| extent.chains) + self.other_chains
+        let (mut most_chains, mut most_edges) = (0, 0);
+        // The sums grow only where a chain begins.
+        for &ChainExtent { first_row: row, .. } in known {
+            let (mut chains, mut edges) = (0u32, 0u32);
+            for extent in known {
+                if extent.first_row <= row && row < extent.end_row {
+                    chains += u32::from(extent.chains);
+                    edges += u32::from(extent.most_edges);
+                }
+            }
+            (most_chains, most_edges) = (chains.max(most_chains), edges.max(most_edges));
+        }
+        [
+            most_chains as usize + self.other_chains,
+            most_edges as usize + self.other_edges,
+        ]
     }
 
     /// Whether all rows were told apart, so that sums are not much too large.
     pub(crate) const fn are_known(&self) -> bool {
         self.count <= self.extents.len()
-    }
-
-    /// The most edges that lie in one row, or more.
-    pub(crate) fn most_edges(&self) -> usize {
-        self.most(|extent| extent.most_edges) + self.other_edges
     }
 }

@@ -94,12 +94,13 @@ pub(super) fn store(
         }
     }
     writer.header.words = writer.payload.needed() - start;
-    writer.header.most_chains = u16::try_from(writer.rows.most_chains()).unwrap_or(u16::MAX);
+    let [most_chains, most_edges] = writer.rows.most();
+    writer.header.most_chains = u16::try_from(most_chains).unwrap_or(u16::MAX);
     set_header(writer.payload, start, writer.header);
     Stored {
         bounds: bounds(least, most),
         // A mirrored row is made from the parts of edges themselves.
-        segments: if is_mirrored { 0 } else { writer.rows.most_edges() },
+        segments: if is_mirrored { 0 } else { most_edges },
     }
 }
 

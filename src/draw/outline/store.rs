@@ -316,8 +316,8 @@ impl<'p, 'm> Writer<'p, 'm> {
         self.write_header_so_far();
         let stored = StoredOutline::new(self.payload.written_from(self.start));
         let bounds = bounds(self.least, self.most);
-        let (most_chains, segments) = if self.rows.are_known() || !self.payload.is_complete() {
-            (self.rows.most_chains(), self.rows.most_edges())
+        let [most_chains, segments] = if self.rows.are_known() || !self.payload.is_complete() {
+            self.rows.most()
         } else {
             stored.most_in(bounds.top..bounds.bottom)
         };

@@ -244,7 +244,7 @@ impl<'w> StoredOutline<'w> {
     }
 
     /// The most chains and the most edges that lie in one of some rows. Cost: a look at each chain for each row.
-    pub(super) fn most_in(self, rows: Range<i32>) -> (usize, usize) {
+    pub(super) fn most_in(self, rows: Range<i32>) -> [usize; 2] {
         let (mut most_chains, mut most_edges) = (0, 0);
         for row in rows {
             let (mut chains, mut edges) = (0, 0);
@@ -255,7 +255,7 @@ impl<'w> StoredOutline<'w> {
             }
             (most_chains, most_edges) = (most_chains.max(chains), most_edges.max(edges));
         }
-        (most_chains, most_edges)
+        [most_chains, most_edges]
     }
 
     /// How many edges of a chain lie in a row.
