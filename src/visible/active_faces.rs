@@ -274,7 +274,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 }
             } else {
                 faces.count().tested(pixels_within(row.words.len(), start, end));
-                row.draw_span(start, end, face.word, &face.plane)
+                row.draw_span(face, [start, end])
             };
             if let Some(left_over) = left_over {
                 tie = Some(Tie {

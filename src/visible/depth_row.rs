@@ -5,10 +5,10 @@ use core::num::Wrapping;
 use crate::{
     band::Band,
     geometry::Window,
-    shade::{Flat, Shade},
+    shade::{Flat, Shade, Shading},
     surface::{BandColor, Order, PixelWord, not_constant},
-    view::DepthWidth,
-    visible::depth_plane::DepthPlane,
+    view::{DepthWidth, ScreenPrecision},
+    visible::{active_face::ActiveFace, depth_plane::DepthPlane},
 };
 
 /// A row of a band and the depths of its pixels, while it is drawn.
@@ -106,18 +106,26 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Returns how many visible pixels of the span are left, that one included; `None` if there is no such pixel.
     /// Columns count from the first pixel of the row, and may lie outside it.
     #[inline]
-    pub(super) fn draw_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<usize> {
-        if start >= end {
-            return None;
+    pub(super) fn draw_span<S: ScreenPrecision, H: Shading<Color = C>>(
+        &mut self,
+        face: &ActiveFace<S, H>,
+        [start, end]: [i32; 2],
+    ) -> Option<usize> {
+        // One comparison tells that the span has pixels and begins inside the row: a column left of it is a huge number here.
+        let (column, last) = (start as usize, end as usize);
+        if column >= last {
+            return if start < end {
+                self.draw_cut_span(face, [start, end])
+            } else {
+                None
+            };
         }
-        // The slices' own check tells whether the span lies inside the row: a column left of the row is a huge number
-        // here.
-        let range = start as usize..end as usize;
-        if let (Some(words), Some(depths)) = (self.words.get_mut(range.clone()), self.depths.get_mut(range)) {
-            let depth = plane.at(start, self.y);
-            test_and_store(words, depths, Flat(O::reorder(word)), depth, plane.per_column)
+        if let (Some(words), Some(depths)) = (self.words.get_mut(..last), self.depths.get_mut(..last)) {
+            let depth = face.plane.at(start, self.y);
+            let shade = Flat(O::reorder(face.word));
+            test_and_store(words, depths, column, shade, depth, face.plane.per_column)
         } else {
-            self.draw_cut_span(start, end, word, plane)
+            self.draw_cut_span(face, [start, end])
         }
     }
 
@@ -131,9 +139,10 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         shade: impl Shade<C::Word>,
         plane: &DepthPlane,
     ) -> Option<usize> {
-        let range = start as usize..end as usize;
-        let (words, depths) = (self.words.get_mut(range.clone())?, self.depths.get_mut(range)?);
-        test_and_store(words, depths, shade, plane.at(start, self.y), plane.per_column)
+        let last = end as usize;
+        let (words, depths) = (self.words.get_mut(..last)?, self.depths.get_mut(..last)?);
+        let depth = plane.at(start, self.y);
+        test_and_store(words, depths, start as usize, shade, depth, plane.per_column)
     }
 
     /// The pixels from a column to another one; `None` where one of them is outside the row.
@@ -203,11 +212,15 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Draws the part of a span that is inside the row.
     #[cold]
     #[inline(never)]
-    fn draw_cut_span(&mut self, start: i32, end: i32, word: C::Word, plane: &DepthPlane) -> Option<usize> {
+    fn draw_cut_span<S: ScreenPrecision, H: Shading<Color = C>>(
+        &mut self,
+        face: &ActiveFace<S, H>,
+        [start, end]: [i32; 2],
+    ) -> Option<usize> {
         let start = start.max(0);
         let end = end.min(self.words.len() as i32);
         if start < end {
-            self.draw_span(start, end, word, plane)
+            self.draw_span(face, [start, end])
         } else {
             None
         }
@@ -226,18 +239,19 @@ fn fill_short<W: PixelWord>(words: &mut [W], word: W) {
     }
 }
 
-/// The inner loop: one addition, one comparison and two stores a pixel. Stops at a pixel that is as near as the stored
-/// depth, and returns how many pixels are left, that one included.
-#[inline]
+/// The inner loop, from a column of a row to the end of its slices: one addition, one comparison and two stores a pixel. Stops
+/// at a pixel that is as near as the stored depth, and returns how many pixels are left, that one included.
+// By column, so that a span needs no pointers to its own first word and depth: an Arm adds an index to a pointer as it loads.
+#[inline(always)]
 fn test_and_store<W: PixelWord, D: DepthWidth>(
     words: &mut [W],
     depths: &mut [D],
+    mut column: usize,
     mut shade: impl Shade<W>,
     mut depth: Wrapping<u32>,
     per_column: Wrapping<u32>,
 ) -> Option<usize> {
-    let mut pixels = words.iter_mut().zip(depths);
-    while let Some((pixel, stored)) = pixels.next() {
+    while let (Some(pixel), Some(stored)) = (words.get_mut(column), depths.get_mut(column)) {
         let candidate = D::from_interpolated(depth.0);
         if candidate > *stored {
             if let Some(word) = shade.word() {
@@ -245,10 +259,11 @@ fn test_and_store<W: PixelWord, D: DepthWidth>(
                 *pixel = word;
             }
         } else if candidate == *stored {
-            return Some(pixels.len() + 1);
+            return Some(words.len() - column);
         }
         shade.step_right();
         depth += per_column;
+        column += 1;
         // Keeps the compiler from unrolling: most spans are shorter than what it would prepare for.
         core::hint::black_box(());
     }

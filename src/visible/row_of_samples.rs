@@ -223,7 +223,7 @@ fn draw_span<S: ScreenPrecision, O: Order, D: DepthWidth, H: Shading>(
         return;
     }
     faces.count().tested(pixels_within(row.words.len(), start, end));
-    while let Some(left_over) = row.draw_span(start, end, face.word, &face.plane) {
+    while let Some(left_over) = row.draw_span(face, [start, end]) {
         start = end.min(row.words.len() as i32) - left_over as i32 + 1;
     }
 }
