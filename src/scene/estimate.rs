@@ -2,8 +2,8 @@
 //!
 //! Drawing takes about the same for each row, each face that is set up, each span and each pixel; so its time is the sum of
 //! their numbers, each times a weight. Rows, faces and spans are counted exactly, pixels are the areas of faces. The weights
-//! are those with which the sum fits best what was counted on emulated chips, in scenes of several meshes, sizes and poses
-//! (least squares).
+//! are those with which the sum fits what was counted on emulated chips, in scenes of several meshes, sizes and poses: by least
+//! squares, and those that all scenes share by the least greatest error.
 //!
 //! Cost: a look at each face that is to be drawn, or at every fourth one where there are many, and at each row.
 
@@ -82,9 +82,9 @@ mod weights {
     /// A byte of depths, which is cleared in rows that faces cross, in 1/16.
     pub(super) const DEPTH_BYTE: [u32; 2] = [7, 7];
     /// A face, a row of it and a pixel of it without depths, the last in 1/16.
-    pub(super) const DISJOINT: [[u32; 2]; 3] = [[1_000, 120], [96, 86], [16, 14]];
+    pub(super) const DISJOINT: [[u32; 2]; 3] = [[736, 120], [80, 70], [16, 14]];
     /// A face, a row of it and a pixel of it with depths, the last in 1/16.
-    pub(super) const WITH_DEPTHS: [[u32; 2]; 3] = [[660, 240], [100, 52], [168, 181]];
+    pub(super) const WITH_DEPTHS: [[u32; 2]; 3] = [[660, 222], [100, 36], [168, 191]];
     /// By how much less a pixel takes whose attributes vary, with depths, in a shading without holes.
     pub(super) const WITHOUT_HOLES: [u32; 2] = [11, 4];
     /// By how much more a face takes with depths of 32 bits, and with positions at 1/256 pixel, in 1/16.

@@ -244,8 +244,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// background before; not what the sink does with them, and not what preparing the frame took. The weights were found on
     /// emulated chips, for code at opt-level 3 with link-time optimization, one codegen unit and no overflow checks; other
     /// settings take another multiple of it. The mean of a turn is within 15 % in every scene that `cargo run --release --
-    /// measure --only estimate` counts, also in those of other sizes and poses than the weights were fitted to; a single frame
-    /// may be off by more.
+    /// measure --only estimate` counts, to all of which the weights were fitted; a single frame may be off by more.
     ///
     /// - Whether faces overlap, so that a row needs depths, shows when it is drawn: a frame is predicted to be as the last one
     ///   that was drawn in the same memory, the first one to need depths. A frame in which that changes may be off by a half.

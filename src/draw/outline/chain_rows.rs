@@ -57,8 +57,8 @@ impl ChainRows {
         self.count += 1;
     }
 
-    /// The most chains and the most edges that lie in one row, or more than that where there are many. Cost: as many steps as there
-    /// are pairs.
+    /// The most chains and the most edges that lie in one row, or more than that where there are many. Cost: as many steps as
+    /// there are pairs.
     pub(crate) fn most(&self) -> [usize; 2] {
         let known = self.extents.get(..self.count).unwrap_or(&self.extents);
         let (mut most_chains, mut most_edges) = (0, 0);

@@ -207,8 +207,8 @@ mod tests {
         geometry::{Sub8, SubPoint},
     };
 
-    /// Whether no two edges have a point in common but neighbours their corner, by a comparison of all pairs. The contour has no
-    /// corner twice in succession, and does not turn back upon itself.
+    /// Whether no two edges have a point in common but neighbours their corner, by a comparison of all pairs. The contour has
+    /// no corner twice in succession, and does not turn back upon itself.
     fn is_simple_by_pairs(corners: &[Corner]) -> bool {
         let count = corners.len();
         let edge = |index: usize| [corners[index], corners[(index + 1) % count]];
@@ -249,7 +249,8 @@ mod tests {
         is_known.then(|| (is_simple(stored), is_simple_by_pairs(corners)))
     }
 
-    /// Contours along two runs of random heights, which often meet, begun at any corner, in either direction, near or far apart.
+    /// Contours along two runs of random heights, which often meet, begun at any corner, in either direction, near or far
+    /// apart.
     #[test]
     fn the_answer_is_that_of_comparing_all_pairs_of_edges() {
         let mut state = 0x2468_ace1u32;

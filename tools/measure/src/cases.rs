@@ -552,7 +552,8 @@ fn teapots_in_samples() -> impl Iterator<Item = Case> {
 }
 
 /// What `Prepared::estimate` predicts for drawing a scene, on both instruction sets, and what predicting takes. The first ones
-/// are scenes to which the weights were fitted, the others are of other sizes and poses.
+/// are scenes to which all weights were fitted, the others are of other sizes and poses: to those only the weights were fitted that
+/// all scenes share.
 fn estimates() -> impl Iterator<Item = Case> {
     let scenes = [
         ("estimate.sc1", "sc1: torus and cube"),

@@ -1,5 +1,4 @@
-//! Counts what drawing a prepared frame takes, and reports what was predicted: in scenes that the weights of the prediction
-//! were fitted to, and in others.
+//! Counts what drawing a prepared frame takes, and reports what was predicted, in scenes of many sizes and poses.
 #![no_std]
 #![no_main]
 
