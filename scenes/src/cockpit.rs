@@ -52,7 +52,7 @@ const FRAMES: u32 = 64;
 /// Items: 35 outlines, 3 filled rectangles with round corners and 24 texts.
 const ITEMS: usize = 62;
 /// Words of the pool in any frame.
-const WORDS: usize = 1_356;
+const WORDS: usize = 1_337;
 /// The most edges that one outline has in one row.
 const SEGMENTS: usize = 15;
 /// Chains of edges in one row, of all outlines together.

@@ -45,8 +45,8 @@ const TICKS: u32 = 71;
 
 /// The outlines: ticks, two arcs, a needle and two discs.
 const ITEMS: usize = TICKS as usize + 5;
-/// Words of the pool: 975 of all outlines in any frame, and 26 for an arc that is compared with the one that it replaces.
-const WORDS: usize = 1001;
+/// Words of the pool: 942 of all outlines in any frame, and 26 for an arc that is compared with the one that it replaces.
+const WORDS: usize = 968;
 /// The most edges that one outline has in one row.
 const SEGMENTS: usize = 10;
 /// Chains of edges in one row, of all outlines together.

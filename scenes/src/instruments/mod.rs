@@ -20,9 +20,9 @@ pub use replayed::{Jagged, Look, Replayed, Smooth};
 
 /// Items of the panel: 21 outlines, 6 texts and a line.
 const ITEMS: usize = 28;
-/// Words of its pool: those of the outlines, and for each text one a character and one more; 586 in any frame, and 26 for an
+/// Words of its pool: those of the outlines, and for each text one a character and one more; 512 in any frame, and 26 for an
 /// arc that is compared with the one that it replaces.
-const WORDS: usize = 612;
+const WORDS: usize = 538;
 /// The most edges that one outline has in one row.
 const SEGMENTS: usize = 23;
 /// Chains of edges in one row, of all outlines together.
