@@ -331,20 +331,20 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     ///
     /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
     /// let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 100], [0; 1_000], [0; 64]);
-    /// let disc = Circle::new(Point::new(3, 3), 50).into_styled(PrimitiveStyle::with_fill(Gray8::WHITE).antialiased());
+    /// let ring = Circle::new(Point::new(7, 7), 50).into_styled(PrimitiveStyle::with_stroke(Gray8::WHITE, 9).antialiased());
     ///
     /// let mut none = AntialiasingMemory::<65, 0, 0>::new();
     /// let mut picture = Picture::new(area, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut none);
-    /// assert!(picture.add(&disc).is_err());
-    /// assert_eq!(picture.segments_needed(), 10);
+    /// assert!(picture.add(&ring).is_err());
+    /// assert_eq!(picture.segments_needed(), 14);
     ///
-    /// let mut memory = AntialiasingMemory::<65, 10, 100>::new();
+    /// let mut memory = AntialiasingMemory::<65, 14, 100>::new();
     /// let mut picture = Picture::new(area, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
-    /// picture.add(&disc)?;
+    /// picture.add(&ring)?;
     /// for y in 0..64 {
     ///     picture.draw(&mut Band::<Gray8>::new(Rectangle::new(Point::new(0, y), Size::new(64, 1)), &mut [0; 64])?);
     /// }
-    /// assert_eq!((picture.slots_used(), picture.words_used(), picture.edges_needed()), (1, 15, 2));
+    /// assert_eq!((picture.slots_used(), picture.words_used(), picture.edges_needed()), (1, 26, 4));
     /// # Ok::<(), Box<dyn core::error::Error>>(())
     /// ```
     pub const fn edges_needed(&self) -> usize {
