@@ -82,6 +82,9 @@ impl Sweep {
 }
 
 impl OutlinedShape for Arc {
+    // A whole turn.
+    const MAY_BE_MIRRORED: bool = true;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         let around = OutlineBox::of(&self.bounding_box());
         let reaches = Reaches::of(style);
@@ -113,6 +116,9 @@ fn band(outer: &OutlineBox, inner: Option<&OutlineBox>, sweep: Option<Sweep>) ->
 }
 
 impl OutlinedShape for Sector {
+    // A whole turn.
+    const MAY_BE_MIRRORED: bool = true;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         let around = OutlineBox::of(&self.bounding_box());
         let reaches = Reaches::of(style);

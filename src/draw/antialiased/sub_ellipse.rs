@@ -255,6 +255,9 @@ impl StrokedShape for SubArc {
 }
 
 impl OutlinedShape for SubArc {
+    // A whole turn.
+    const MAY_BE_MIRRORED: bool = true;
+
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         strokes::fill_and_stroke(self, FillRule::NonZero, style, layer)
     }
