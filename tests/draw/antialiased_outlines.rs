@@ -103,8 +103,8 @@ fn words(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<u16> 
     words
 }
 
-/// What shapes look like that are drawn one after the other, ellipses in a style, and each other one as a polygon by the method
-/// that is picked for it.
+/// The words of an area on which shapes were drawn one after the other without a picture: ellipses as styled shapes, and all
+/// others as polygons, by the method that is picked for each.
 fn drawn<'s>(area: Rectangle, shapes: impl IntoIterator<Item = &'s Shape>) -> Vec<u16> {
     words(area, |band| {
         let Ok(()) = background().draw_on(band);

@@ -65,8 +65,8 @@ pub struct AntialiasedPolygon<const EDGES: usize, const ACTIVE: usize> {
     /// The row after the last one that an edge lies in.
     end_row: i32,
     fill_rule: FillRule,
-    /// Where the edges are those of the left half of an outline alone, the right half of which is its mirror image: the sum of
-    /// a column and its mirror image.
+    /// The sum of a column and its mirror image, if the table has the edges of the left half alone of an outline whose right
+    /// half is the mirror image of it; `None` if it has all edges.
     mirror: Option<i32>,
 }
 

@@ -87,11 +87,13 @@ struct Step {
     corner: Corner,
 }
 
-/// How far a contour was walked along, forwards or backwards.
+/// One of the two runs of a contour from its leftmost corner to the right, and how far it was walked along.
 struct Run<'w> {
     stored: StoredOutline<'w>,
+    /// The last corner that was reached, by its chain and by its coordinates.
     position: Position,
     at: Corner,
+    /// Whether the run follows the order in which the corners are stored.
     is_forward: bool,
 }
 
@@ -229,7 +231,8 @@ mod tests {
             .all(|one| (one + 2..count).all(|other| (one == 0 && other == count - 1) || !meet(edge(one), edge(other))))
     }
 
-    /// What is found of a contour that does not turn back upon itself, and what comparing all pairs of edges says.
+    /// Whether a contour crosses or touches itself nowhere, by a walk along its two runs, and by comparing all pairs of edges;
+    /// `None` for a contour that turns back upon itself at a corner, which the walk is not asked about.
     fn both(corners: &[Corner]) -> Option<(Option<bool>, bool)> {
         let mut turns = Turns::default();
         for (index, corner) in corners.iter().enumerate() {

@@ -444,7 +444,7 @@ impl<'w> StoredOutline<'w> {
         (position < end).then(|| self.chain(position as u16))?
     }
 
-    /// How many words a stored corner takes.
+    /// How many words of memory each corner of an outline takes that is not kept as arcs: 2 where they are wide, or else 1.
     fn words_of_corner(&self) -> u32 {
         if self.word(0) & WIDE == 0 { 1 } else { 2 }
     }

@@ -552,8 +552,8 @@ fn teapots_in_samples() -> impl Iterator<Item = Case> {
 }
 
 /// What `Prepared::estimate` predicts for drawing a scene, on both instruction sets, and what predicting takes. The first ones
-/// are scenes to which all weights were fitted, the others are of other sizes and poses: to those only the weights were fitted that
-/// all scenes share.
+/// are scenes to which all weights were fitted, the others are of other sizes and poses: to those only the weights were fitted
+/// that all scenes share.
 fn estimates() -> impl Iterator<Item = Case> {
     let scenes = [
         ("estimate.sc1", "sc1: torus and cube"),
@@ -579,41 +579,38 @@ fn estimates() -> impl Iterator<Item = Case> {
         ("estimate.silhouettes", "Utah teapot, antialiased silhouettes"),
         ("estimate.everything", "Utah teapot with every effect"),
         ("estimate.square", "a square, textured"),
-        ("estimate.held_out.torus", "torus and cube, 3/4 as far, 320 x 240"),
-        ("estimate.held_out.cube", "cube, 4/5 as far, 320 x 240"),
-        ("estimate.held_out.sphere", "icosphere, 7/10 as far, 240 x 320"),
+        ("estimate.other.torus", "torus and cube, 3/4 as far, 320 x 240"),
+        ("estimate.other.cube", "cube, 4/5 as far, 320 x 240"),
+        ("estimate.other.sphere", "icosphere, 7/10 as far, 240 x 320"),
+        ("estimate.other.shaded_sphere", "icosphere, Gouraud shading, 240 x 320"),
+        ("estimate.other.hills", "hills, rolling"),
+        ("estimate.other.cut_hills", "hills, rolling, cut at all sides"),
+        ("estimate.other.small_pot", "teapot of 240 faces, rolling"),
+        ("estimate.other.near", "Utah teapot, half as far, rolling"),
+        ("estimate.other.far", "Utah teapot, twice as far, 128 x 64"),
         (
-            "estimate.held_out.shaded_sphere",
-            "icosphere, Gouraud shading, 240 x 320",
-        ),
-        ("estimate.held_out.hills", "hills, rolling"),
-        ("estimate.held_out.cut_hills", "hills, rolling, cut at all sides"),
-        ("estimate.held_out.small_pot", "teapot of 240 faces, rolling"),
-        ("estimate.held_out.near", "Utah teapot, half as far, rolling"),
-        ("estimate.held_out.far", "Utah teapot, twice as far, 128 x 64"),
-        (
-            "estimate.held_out.gouraud",
+            "estimate.other.gouraud",
             "Utah teapot, three channels, rolling, 320 x 240",
         ),
         (
-            "estimate.held_out.gouraud_far",
+            "estimate.other.gouraud_far",
             "Utah teapot, three channels, twice as far, 128 x 64",
         ),
         (
-            "estimate.held_out.textured",
+            "estimate.other.textured",
             "Utah teapot, lit and textured, rolling, 320 x 240",
         ),
         (
-            "estimate.held_out.textured_far",
+            "estimate.other.textured_far",
             "Utah teapot, lit and textured, twice as far, 128 x 64",
         ),
-        ("estimate.held_out.fog", "Utah teapot in fog, rolling, 320 x 240"),
-        ("estimate.held_out.translucent", "Utah teapot, translucent, rolling"),
+        ("estimate.other.fog", "Utah teapot in fog, rolling, 320 x 240"),
+        ("estimate.other.translucent", "Utah teapot, translucent, rolling"),
         (
-            "estimate.held_out.silhouettes",
+            "estimate.other.silhouettes",
             "Utah teapot, antialiased silhouettes, half as far again, rolling",
         ),
-        ("estimate.held_out.square", "a square, textured, half as far again"),
+        ("estimate.other.square", "a square, textured, half as far again"),
     ];
     let predicted = [V7EM, V6M].into_iter().flat_map(move |target| {
         scenes.map(|(count, title)| Case {

@@ -250,23 +250,23 @@ fn main() -> ! {
         "estimate.everything": EverythingPot, WithEverything<EverythingPot>, [560, 992, 91, 240, 320];
         "estimate.square": TexturedSquare, Textured<Texture>, [4, 2, 2, 240, 320];
         // Scenes that no weight was fitted to.
-        "estimate.held_out.torus": At<SmallTorus, 75>, Rgb565, [296, 588, 90, 320, 240];
-        "estimate.held_out.cube": At<SmallCube, 80>, Rgb565, [8, 12, 6, 320, 240];
-        "estimate.held_out.sphere": At<SmallSphere, 70>, Rgb565, [162, 320, 30, 240, 320];
-        "estimate.held_out.shaded_sphere": ShadedSphere, Gouraud<Rgb565, Lambert<0>>, [162, 320, 30, 240, 320];
-        "estimate.held_out.hills": Rolling<Hills>, Rgb565, [289, 512, 100, 240, 320];
-        "estimate.held_out.cut_hills": At<Rolling<Hills>, 30>, Rgb565, [1_200, 512, 100, 240, 320];
-        "estimate.held_out.small_pot": Rolling<SmallPot>, Rgb565, [156, 240, 60, 240, 320];
-        "estimate.held_out.near": At<Rolling<FlatPot>, 55>, Rgb565, [1_600, 992, 91, 240, 320];
-        "estimate.held_out.far": At<FlatPot, 220>, Rgb565, [560, 992, 120, 128, 64];
-        "estimate.held_out.gouraud": At<Rolling<GouraudPot>, 80>, Gouraud<Rgb565>, [560, 992, 120, 320, 240];
-        "estimate.held_out.gouraud_far": At<GouraudPot, 200>, Gouraud<Rgb565>, [560, 992, 120, 128, 64];
-        "estimate.held_out.textured": At<Rolling<TexturedPot>, 130>, LitTextured<Texture>, [560, 992, 120, 320, 240];
-        "estimate.held_out.textured_far": At<TexturedPot, 200>, LitTextured<Texture>, [560, 992, 120, 128, 64];
-        "estimate.held_out.fog": At<Rolling<FoggyPot>, 80>, ShadingOf<FoggyPot>, [1_600, 992, 120, 320, 240];
-        "estimate.held_out.translucent": Rolling<TranslucentPot>, ShadingOf<TranslucentPot>, [560, 992, 120, 240, 320];
-        "estimate.held_out.silhouettes": At<Rolling<SurfacePot>, 150>, Antialiased<Rgb565>, [560, 992, 120, 240, 320];
-        "estimate.held_out.square": At<TexturedSquare, 150>, Textured<Texture>, [4, 2, 2, 240, 320];
+        "estimate.other.torus": At<SmallTorus, 75>, Rgb565, [296, 588, 90, 320, 240];
+        "estimate.other.cube": At<SmallCube, 80>, Rgb565, [8, 12, 6, 320, 240];
+        "estimate.other.sphere": At<SmallSphere, 70>, Rgb565, [162, 320, 30, 240, 320];
+        "estimate.other.shaded_sphere": ShadedSphere, Gouraud<Rgb565, Lambert<0>>, [162, 320, 30, 240, 320];
+        "estimate.other.hills": Rolling<Hills>, Rgb565, [289, 512, 100, 240, 320];
+        "estimate.other.cut_hills": At<Rolling<Hills>, 30>, Rgb565, [1_200, 512, 100, 240, 320];
+        "estimate.other.small_pot": Rolling<SmallPot>, Rgb565, [156, 240, 60, 240, 320];
+        "estimate.other.near": At<Rolling<FlatPot>, 55>, Rgb565, [1_600, 992, 91, 240, 320];
+        "estimate.other.far": At<FlatPot, 220>, Rgb565, [560, 992, 120, 128, 64];
+        "estimate.other.gouraud": At<Rolling<GouraudPot>, 80>, Gouraud<Rgb565>, [560, 992, 120, 320, 240];
+        "estimate.other.gouraud_far": At<GouraudPot, 200>, Gouraud<Rgb565>, [560, 992, 120, 128, 64];
+        "estimate.other.textured": At<Rolling<TexturedPot>, 130>, LitTextured<Texture>, [560, 992, 120, 320, 240];
+        "estimate.other.textured_far": At<TexturedPot, 200>, LitTextured<Texture>, [560, 992, 120, 128, 64];
+        "estimate.other.fog": At<Rolling<FoggyPot>, 80>, ShadingOf<FoggyPot>, [1_600, 992, 120, 320, 240];
+        "estimate.other.translucent": Rolling<TranslucentPot>, ShadingOf<TranslucentPot>, [560, 992, 120, 240, 320];
+        "estimate.other.silhouettes": At<Rolling<SurfacePot>, 150>, Antialiased<Rgb565>, [560, 992, 120, 240, 320];
+        "estimate.other.square": At<TexturedSquare, 150>, Textured<Texture>, [4, 2, 2, 240, 320];
     );
     report::exit(true)
 }
