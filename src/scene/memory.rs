@@ -28,7 +28,7 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 ///   faces is drawn in passes ([`Look::DRAWS_IN_PASSES`]): the picture is the same, and takes longer.
 ///   [`Prepared::active_needed`] says with how many each row takes one pass.
 ///
-/// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 52 an active face, and 48. What varies over
+/// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 48 an active face, and 48. What varies over
 /// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) and 12 an active face; silhouettes
 /// that are [`Antialiased`](crate::scene::Antialiased) take 12 bytes a column, 4 a face and 4 a row. All zero bits when new, so
 /// that a `static` lies in `.bss`.
@@ -53,7 +53,7 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 ///     320,
 ///     8,
 /// >;
-/// assert_eq!(size_of::<Scene>(), 6 * 28 + 2 * 8 + 2 * 240 + 4 * 320 + 52 * 8 + 48);
+/// assert_eq!(size_of::<Scene>(), 6 * 28 + 2 * 8 + 2 * 240 + 4 * 320 + 48 * 8 + 48);
 /// ```
 #[derive(Debug)]
 pub struct Memory<

@@ -162,8 +162,6 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     const ZERO: Self;
     /// The bits of the lower half, below those of the column.
     const FRACTION_BITS: u32;
-    /// The carry correction of an edge that needs none.
-    const NO_CARRY_CORRECTION: Self::CarryCorrection;
     /// The carry corrections of two edges that need none.
     const NO_CARRY_CORRECTIONS: Self::CarryCorrections;
 
@@ -173,6 +171,8 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     fn step(columns: i32, rest: i32) -> Self;
     /// The carry correction for an edge of this height, in units: what is added where the error term carries.
     fn carry_correction(height: i32) -> Self::CarryCorrection;
+    /// The carry correction for an edge that is as high as one is higher than another, from theirs.
+    fn carry_correction_of_rest(higher: Self::CarryCorrection, lower: Self::CarryCorrection) -> Self::CarryCorrection;
     /// The sum for a column with [`FRACTION_BITS`](Self::FRACTION_BITS), which needs no carry correction.
     fn fixed(columns: i32) -> Self;
     /// The column.
@@ -201,7 +201,6 @@ impl EdgeSum for i32 {
     /// Columns take 14 bits. The rest makes edges long that still need no carry correction, for processors that divide: others
     /// have carry corrections always, and those take fewer instructions with 16 bits.
     const FRACTION_BITS: u32 = if HAS_DIVIDER { 18 } else { 16 };
-    const NO_CARRY_CORRECTION: u16 = 0;
     const NO_CARRY_CORRECTIONS: u32 = 0;
 
     #[inline]
@@ -223,6 +222,11 @@ impl EdgeSum for i32 {
     #[inline]
     fn carry_correction(height: i32) -> u16 {
         (-Wrapping(height as u16)).0
+    }
+
+    #[inline]
+    fn carry_correction_of_rest(higher: u16, lower: u16) -> u16 {
+        (Wrapping(higher) - Wrapping(lower)).0
     }
 
     #[inline]
@@ -265,7 +269,6 @@ impl EdgeSum for i64 {
     type CarryCorrections = u64;
     const ZERO: Self = 0;
     const FRACTION_BITS: u32 = 32;
-    const NO_CARRY_CORRECTION: u32 = 0;
     const NO_CARRY_CORRECTIONS: u64 = 0;
 
     #[inline]
@@ -286,6 +289,11 @@ impl EdgeSum for i64 {
     #[inline]
     fn carry_correction(height: i32) -> u32 {
         (-Wrapping(height as u32)).0
+    }
+
+    #[inline]
+    fn carry_correction_of_rest(higher: u32, lower: u32) -> u32 {
+        (Wrapping(higher) - Wrapping(lower)).0
     }
 
     #[inline]

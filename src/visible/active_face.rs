@@ -9,7 +9,7 @@ use crate::{
     view::{DepthWidth, EdgeSum, Position, ScreenPrecision, ScreenVertex},
     visible::{
         depth_plane::DepthPlane,
-        edge::{CarryCorrection, CarryCorrections, Edge, EdgePair, PixelAfter, row_after},
+        edge::{CarryCorrections, Edge, EdgePair, PixelAfter, row_after},
         sides::Sides,
     },
 };
@@ -52,6 +52,9 @@ impl Bottom {
     const TRANSLUCENT: i16 = 1 << 1;
 }
 
+/// What is taken from the row of a face's next event where each row is one. Rows of the domain are below 2^13 in size.
+const EACH_ROW: i16 = 1 << 14;
+
 /// The word of a pixel with a shading.
 pub(super) type WordOf<H> = <<H as Shading>::Color as BandColor>::Word;
 
@@ -62,18 +65,14 @@ pub(crate) struct ActiveFace<S: ScreenPrecision, H: Shading> {
     edges: EdgePair<S>,
     /// The edge between the two lower corners.
     third: Edge<S>,
-    /// What the left and the right edge add after a carry.
+    /// What the left and the right edge add after a carry; not used where edges are short.
     carry_corrections: CarryCorrections<S>,
-    third_carry_correction: CarryCorrection<S>,
     pub(super) plane: DepthPlane,
     /// The face's index in the table of faces.
     pub(super) node: u16,
-    /// The next event row, which needs more than a step of the edges: where an edge ends, and with carry corrections
-    /// each row.
+    /// The next event row, which needs more than a step of the edges: the row in which the third edge takes over, then the one
+    /// after the last row. With carry corrections each row is one: then this is less by [`EACH_ROW`], and so above all rows.
     event_row: i16,
-    /// The row in which the third edge takes over, then the one after the last row; used only where edges add something
-    /// after a carry.
-    edge_end: i16,
     bottom: Bottom,
     pub(super) word: WordOf<H>,
     pub(super) attributes: PlanesOf<H>,
@@ -99,11 +98,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         edges: EdgePair::EMPTY,
         third: Edge::EMPTY,
         carry_corrections: S::EdgeSum::NO_CARRY_CORRECTIONS,
-        third_carry_correction: S::EdgeSum::NO_CARRY_CORRECTION,
         plane: DepthPlane::ZERO,
         node: 0,
         event_row: 0,
-        edge_end: 0,
         bottom: Bottom::ZERO,
         word: WordOf::<H>::ZERO,
         attributes: H::Attributes::NO_PLANES,
@@ -197,7 +194,6 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         let down = PixelAfter::of::<S>(top).down;
         self.edges.set_left(Edge::short(top.x, left, down));
         self.edges.set_right(Edge::short(top.x, right, down));
-        self.carry_corrections = S::EdgeSum::NO_CARRY_CORRECTIONS;
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
             let (middle, bottom) = rows.third_edge(sides);
@@ -230,14 +226,14 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
             let (middle, bottom) = rows.third_edge(sides);
-            (self.third, self.third_carry_correction) =
-                Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), row.max(rows.middle));
+            (self.third, _) = Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), row.max(rows.middle));
         }
-        self.edge_end = self.event_row;
         if row >= rows.middle {
             self.end_long_edge(rows.middle);
         }
-        self.event_row = self.event_row_after(row);
+        if Edge::<S>::MAY_BE_SHORT {
+            self.event_row -= EACH_ROW;
+        }
     }
 
     /// The next face in the list: kept in the field of the depth plane, because faces in the list have none.
@@ -376,18 +372,15 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             edges,
             third,
             carry_corrections,
-            third_carry_correction,
             plane,
             node,
             event_row,
-            edge_end,
             bottom,
             word,
             attributes,
         } = self;
         (other.edges, other.third, other.carry_corrections) = (*edges, *third, *carry_corrections);
-        (other.third_carry_correction, other.plane) = (*third_carry_correction, *plane);
-        (other.node, other.event_row, other.edge_end) = (*node, *event_row, *edge_end);
+        (other.plane, other.node, other.event_row) = (*plane, *node, *event_row);
         (other.bottom, other.word, other.attributes) = (*bottom, *word, *attributes);
     }
 
@@ -406,7 +399,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     /// face has ended.
     #[inline(always)]
     pub(super) fn begin_row(&mut self, row: i32) -> bool {
-        row != i32::from(self.event_row) || self.take_event(row)
+        row < i32::from(self.event_row) || self.take_event(row)
     }
 
     /// [`begin_row`](Self::begin_row) for callers that seldom need it: a cold copy of its own, so that the frequent call
@@ -432,27 +425,19 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     #[inline(never)]
     fn take_event_with_carry_corrections(&mut self, next_row: i32) -> bool {
         self.edges.carry_correction(self.carry_corrections);
-        if next_row == i32::from(self.edge_end) && !self.end_long_edge(next_row) {
-            return false;
+        if next_row == i32::from(self.event_row + EACH_ROW) {
+            if !self.end_long_edge(next_row) {
+                return false;
+            }
+            self.event_row -= EACH_ROW;
         }
-        self.event_row = self.event_row_after(next_row);
         true
     }
 
     /// Whether the edges have carry corrections.
     #[inline(always)]
     fn has_carry_corrections(&self) -> bool {
-        Edge::<S>::MAY_BE_SHORT && self.carry_corrections != S::EdgeSum::NO_CARRY_CORRECTIONS
-    }
-
-    /// The next event row after `row`.
-    #[inline(always)]
-    fn event_row_after(&self, row: i32) -> i16 {
-        if self.has_carry_corrections() {
-            (row + 1) as i16
-        } else {
-            self.edge_end
-        }
+        Edge::<S>::MAY_BE_SHORT && self.event_row < -EACH_ROW / 2
     }
 
     /// Exchanges an edge that ends in this row for the third one, without what it adds after a carry. `false` where the face
@@ -471,22 +456,21 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         true
     }
 
-    /// Exchanges an edge that ends in this row for the third one, with what it adds after a carry. `false` where the face
-    /// has ended.
+    /// Exchanges an edge that ends in this row for the third one, with what it adds after a carry: the edge on the other side is
+    /// as high as both. `false` where the face has ended.
     #[inline(never)]
     fn end_long_edge(&mut self, row: i32) -> bool {
         if !self.end_short_edge(row) {
             return false;
         }
-        self.edge_end = self.event_row;
         let (left, right) = (
             S::EdgeSum::left_carry_correction(self.carry_corrections),
             S::EdgeSum::right_carry_correction(self.carry_corrections),
         );
         self.carry_corrections = if self.bottom.side() == ThirdSide::Left {
-            S::EdgeSum::carry_corrections(self.third_carry_correction, right)
+            S::EdgeSum::carry_corrections(S::EdgeSum::carry_correction_of_rest(right, left), right)
         } else {
-            S::EdgeSum::carry_corrections(left, self.third_carry_correction)
+            S::EdgeSum::carry_corrections(left, S::EdgeSum::carry_correction_of_rest(left, right))
         };
         true
     }
