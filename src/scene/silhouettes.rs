@@ -77,13 +77,14 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         let Some(mut corners) = self.corners_in_mesh(node) else {
             return false;
         };
-        let mut goes_on = false;
-        for number in 0..3 {
+        let (mut goes_on, mut left) = (false, face.edges());
+        while left.has_any() {
             let [from, to, _] = corners;
-            if let (true, is_drawn) = face.edge(number) {
+            if let (true, is_drawn) = left.first() {
                 goes_on |= edges.add::<L::Precision>(row.words(), node, [from, to], face.is_reversed(), is_drawn);
             }
             corners.rotate_left(1);
+            left = left.others();
         }
         goes_on
     }
@@ -164,11 +165,11 @@ fn see_faces<L: Look>(model: &Model<'_, L::Shading>, vertices: &[ScreenVertexOf<
         }
         let [a, b, c] = corners.map(ScreenVertex::position);
         let is_clockwise = is_front::<L::Precision>(a, b, c);
-        let is_counterclockwise = !is_clockwise && is_front::<L::Precision>(a, c, b);
+        let is_counterclockwise = || !is_clockwise && is_front::<L::Precision>(a, c, b);
         *face = if L::DRAWS_BACKS {
-            FaceEdges::seen(is_clockwise, is_counterclockwise)
+            FaceEdges::seen(is_clockwise, is_counterclockwise())
         } else if is_mirrored {
-            FaceEdges::seen(false, is_counterclockwise)
+            FaceEdges::seen(false, is_counterclockwise())
         } else {
             FaceEdges::seen(is_clockwise, false)
         };

@@ -15,6 +15,7 @@
 use core::{marker::PhantomData, num::Wrapping};
 
 use embedded_graphics::geometry::Point;
+use heapless::Vec;
 
 use crate::{
     coverage::{AREA_BITS, Coverage},
@@ -140,42 +141,43 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
         return;
     }
     let mut area = Wrapping(0);
-    let (mut crowded, mut used) = ([Crowded::EMPTY; BATCH], 0);
+    let mut crowded = Vec::<_, BATCH>::new();
     let EdgeRow { columns, touched, .. } = edges;
-    touched.for_each(|index| {
-        let Some(edge) = columns.get_mut(index) else { return };
-        area += edge.change;
-        edge.change = 0;
-        let Some(face) = edge.face.checked_sub(1) else {
-            return;
-        };
-        edge.face = 0;
-        let part = (area.0 & ((1 << AREA_BITS) - 1)) * i32::from(Coverage::MAX) + (1 << (AREA_BITS - 1));
-        let coverage = (part >> AREA_BITS) as Coverage;
-        if coverage == 0 {
-            return;
-        }
-        let whole = area.0 >> AREA_BITS;
-        let (Some(pixel), Some(depth)) = (row.words.get(index), row.depths.get(index)) else {
-            return;
-        };
-        let (column, before) = (index as i32, O::reorder(edge.behind));
-        if *depth == D::FARTHEST {
-            // No surface is at the centre of the pixel.
-            if let Some(word) = word_of_face(faces, face, [column, row.y], row.left, crossing) {
+    touched.for_each_run(|run| {
+        let first = run.start;
+        let columns = columns.get_mut(first..).unwrap_or_default();
+        for (index, edge) in run.zip(columns) {
+            area += edge.change;
+            edge.change = 0;
+            let Some(face) = edge.face.checked_sub(1) else {
+                continue;
+            };
+            edge.face = 0;
+            let part = (area.0 & ((1 << AREA_BITS) - 1)) * i32::from(Coverage::MAX) + (1 << (AREA_BITS - 1));
+            let coverage = (part >> AREA_BITS) as Coverage;
+            if coverage == 0 {
+                continue;
+            }
+            let whole = area.0 >> AREA_BITS;
+            let (Some(pixel), Some(depth)) = (row.words.get(index), row.depths.get(index)) else {
+                continue;
+            };
+            let (column, before) = (index as i32, O::reorder(edge.behind));
+            if *depth == D::FARTHEST {
+                // No surface is at the centre of the pixel.
+                if let Some(word) = word_of_face(faces, face, [column, row.y], row.left, crossing) {
+                    mix::<_, _, _, _, F>(row, column, word, before, coverage);
+                }
+            } else if whole == 0 {
+                // One surface, which is at the centre.
+                let word = O::reorder(*pixel);
                 mix::<_, _, _, _, F>(row, column, word, before, coverage);
-            }
-        } else if whole == 0 {
-            // One surface, which is at the centre.
-            let word = O::reorder(*pixel);
-            mix::<_, _, _, _, F>(row, column, word, before, coverage);
-        } else {
-            if used == BATCH {
-                mix_crowded(faces, row, &mut crowded, crossing);
-                used = 0;
-            }
-            if let Some(slot) = crowded.get_mut(used) {
-                *slot = Crowded {
+            } else {
+                if crowded.is_full() {
+                    mix_crowded(faces, row, &mut crowded, crossing);
+                    crowded.clear();
+                }
+                let pushed = crowded.push(Crowded {
                     column,
                     face,
                     depth: edge.depth,
@@ -183,12 +185,12 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
                     coverage,
                     before,
                     ..Crowded::EMPTY
-                };
-                used += 1;
+                });
+                debug_assert!(pushed.is_ok(), "room was made");
             }
         }
     });
-    mix_crowded(faces, row, crowded.get_mut(..used).unwrap_or_default(), crossing);
+    mix_crowded(faces, row, &mut crowded, crossing);
 }
 
 /// Mixes a pixel.

@@ -16,7 +16,7 @@
 //! Source: cells with cover and area (FreeType's smooth rasterizer, Turner 2000) of silhouette edges alone (Sander, Hoppe,
 //! Snyder and Gortler 2001, "Discontinuity edge overdraw").
 
-use core::{fmt::Debug, num::Wrapping};
+use core::{fmt::Debug, num::Wrapping, ops::Range};
 
 use embedded_graphics::geometry::Point;
 
@@ -141,6 +141,7 @@ impl FaceEdges {
     const DRAWN: u32 = 1 << 16;
     const COUNTED: u32 = 1 << 19;
     const ALL_COUNTED: u32 = 7 << 19;
+    const ALL_DRAWN: u32 = 7 << 16;
     const FRONT: u32 = 1 << 22;
     const REVERSED: u32 = 1 << 23;
     const IS_CUT: u32 = 1 << 24;
@@ -181,12 +182,10 @@ impl FaceEdges {
         self.0 & Self::ALL_COUNTED != 0
     }
 
-    /// Whether the edge of that number counts, and whether it is a silhouette.
-    pub(crate) fn edge(self, edge: u32) -> (bool, bool) {
-        (
-            self.0 & (Self::COUNTED << edge) != 0,
-            self.0 & (Self::DRAWN << edge) != 0,
-        )
+    /// The edges of the face that are silhouettes, or count.
+    #[inline(always)]
+    pub(crate) fn edges(self) -> EdgesLeft {
+        EdgesLeft(self.0 & (Self::ALL_COUNTED | Self::ALL_DRAWN))
     }
 
     /// The next face of the row, or [`NONE`].
@@ -198,6 +197,31 @@ impl FaceEdges {
     #[must_use]
     pub(crate) fn with_next(self, next: u16) -> Self {
         Self(self.0 & !0xffff | u32::from(next))
+    }
+}
+
+/// The edges of a face from one on: those of the bits of [`FaceEdges`], moved down by one for each edge that was looked at.
+#[derive(Debug, Copy, Clone)]
+pub(crate) struct EdgesLeft(u32);
+
+impl EdgesLeft {
+    /// Whether one of the edges counts.
+    #[inline(always)]
+    pub(crate) fn has_any(self) -> bool {
+        self.0 & FaceEdges::ALL_COUNTED != 0
+    }
+
+    /// Whether the first edge counts, and whether it is a silhouette.
+    #[inline(always)]
+    pub(crate) fn first(self) -> (bool, bool) {
+        (self.0 & FaceEdges::COUNTED != 0, self.0 & FaceEdges::DRAWN != 0)
+    }
+
+    /// The edges after the first one.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn others(self) -> Self {
+        Self(self.0 >> 1)
     }
 }
 
@@ -256,18 +280,21 @@ impl Touched {
         }
     }
 
-    /// Hands over the touched columns from left to right, in rows with more columns than bits also others, and columns that
-    /// the row does not have.
+    /// Hands over the touched columns from left to right, those that lie side by side at once, in rows with more columns than
+    /// bits also others, and columns that the row does not have.
     #[inline(always)]
-    pub(super) fn for_each(&self, mut visit: impl FnMut(usize)) {
-        for (index, mut bits) in (0..).zip(self.words) {
+    pub(super) fn for_each_run(&self, mut visit: impl FnMut(Range<usize>)) {
+        for (word, &bits) in (0..).zip(&self.words) {
+            let (mut bits, mut column) = (bits, 32 * word);
             while bits != 0 {
-                let bit = leading_zeros(bits);
-                bits ^= 1 << 31 >> bit;
-                let first = (32 * index + bit as usize) << self.shift;
-                for column in first..first + (1 << self.shift) {
-                    visit(column);
-                }
+                let before = leading_zeros(bits);
+                bits <<= before;
+                // At most 31: of 32 columns the last one comes by itself.
+                let count = leading_zeros(!bits | 1);
+                bits <<= count;
+                let first = column + before as usize;
+                column = first + count as usize;
+                visit(first << self.shift..column << self.shift);
             }
         }
     }
@@ -503,7 +530,7 @@ mod tests {
                 touched.add([first, last].map(|column| column as i32));
                 expected.extend(first..=last);
                 let mut visited = Vec::new();
-                touched.for_each(|column| visited.push(column));
+                touched.for_each_run(|columns| visited.extend(columns));
                 assert!(
                     visited.is_sorted_by(|column, next| column < next),
                     "{width}: {visited:?}"
