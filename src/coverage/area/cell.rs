@@ -118,19 +118,20 @@ pub(super) fn for_each<E>(
     mut visit: impl FnMut(Cell) -> Result<(), E>,
 ) -> Result<Cell, E> {
     let (mut x, last) = (start >> X_BITS, end >> X_BITS);
-    let (mut from, to) = (start & (X_ONE - 1), end & (X_ONE - 1));
+    // Where both ends lie in one pixel: one subtraction for both.
+    let mut x_sum = start + end - (last << (X_BITS + 1));
     if x < last {
-        let length = end - start;
+        let (from, length) = (start & (X_ONE - 1), end - start);
         // At most 2^14 times 2^13.
         let (first, error) = divide_to_zero(height * (X_ONE - from), length);
         visit(Cell::new(x, first, from + X_ONE))?;
         let boundaries = Boundaries { height, length, error };
-        (height, from, x) = (height - first, 0, x + 1);
+        (height, x_sum, x) = (height - first, end & (X_ONE - 1), x + 1);
         if x < last {
             height = boundaries.for_each(x..last, height, visit)?;
         }
     }
-    Ok(Cell::new(last, height, from + to))
+    Ok(Cell::new(last, height, x_sum))
 }
 
 /// Visits the cells of a part of an edge that are in the first `width` pixels, counted from x = 0, the left side of a

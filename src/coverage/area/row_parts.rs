@@ -133,7 +133,7 @@ impl<'c> RowParts<'c> {
             let Part { ends, height } = *part;
             let ends_before = |next: &Part| ends[1] >> X_BITS <= next.ends[0] >> X_BITS;
             let is_alone = others.first().is_none_or(ends_before) && self.in_buffer == NOWHERE;
-            if is_alone && ends.into_iter().all(|x| sides.are_around(x)) {
+            if is_alone && sides.are_around(ends) {
                 current.go_to(ends[0] >> X_BITS, &coverage, emit)?;
                 current.pass(ends, height, &coverage, emit)?;
                 parts = others;

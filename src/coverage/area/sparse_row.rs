@@ -59,7 +59,7 @@ pub(super) fn cover<E, C: CountedEdges>(
         let is_alone = others
             .first()
             .is_none_or(|next| counted.is_disjoint(end, next.ends().0));
-        if is_alone && sides.are_around(start) && sides.are_around(end) {
+        if is_alone && sides.are_around([start, end]) {
             if let Some(height) = counted.height(segment) {
                 current.go_to(start >> X_BITS, &coverage, emit)?;
                 current.pass([start, end], height, &coverage, emit)?;
@@ -120,29 +120,31 @@ pub(super) fn cover_between<E>(
     pixel(&current, emit)
 }
 
-/// The left and the right side of the columns that are drawn.
+/// The left and the right side of the columns that are drawn, in 1/8192 pixel.
 #[derive(Copy, Clone)]
 pub(super) struct ColumnSides {
-    left: Wrapping<i32>,
-    /// The distance between the sides, in 1/8192 pixel.
-    width: u32,
+    left: i32,
+    right: i32,
 }
 
 impl ColumnSides {
     pub(super) fn of(columns: &Range<i32>) -> Self {
-        let left = Wrapping(columns.start * X_ONE);
-        // A row of 2^19 pixels or more would wrap: then all segments are clusters, which takes longer.
-        let width = (Wrapping(columns.end) * Wrapping(X_ONE) - left).0 as u32;
-        Self { left, width }
+        let side = |column: i32| column.clamp(-MOST_COLUMNS, MOST_COLUMNS) * X_ONE;
+        Self {
+            left: side(columns.start),
+            right: side(columns.end),
+        }
     }
 
-    /// Whether an x, in 1/8192 pixel, lies between the sides.
+    /// Whether an edge lies between the sides, from its left to its right end in 1/8192 pixel.
     #[inline(always)]
-    pub(super) fn are_around(self, x: i32) -> bool {
-        // As an unsigned number, an x left of the row is far right of it.
-        ((Wrapping(x) - self.left).0 as u32) < self.width
+    pub(super) fn are_around(self, [start, end]: [i32; 2]) -> bool {
+        self.left <= start && end < self.right
     }
 }
+
+/// Columns up to which an x fits 32 bits. Edges further out lie beside the columns, and are clusters, which takes longer.
+const MOST_COLUMNS: i32 = i32::MAX >> X_BITS;
 
 /// Whether two edges, each given by its left and its right end, are in no pixel together, and the first one left of the other.
 #[inline(always)]

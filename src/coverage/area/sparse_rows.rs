@@ -53,7 +53,7 @@ pub(super) fn cover_all<E, C: CountedEdges>(
     let (columns, cells) = in_room(columns, cells);
     let (sides, mut chains, segments) = (ColumnSides::of(&columns), rows.chains, rows.segments);
     // Looked up once for all rows, unless there are so few that it takes longer.
-    let is_inside = rows.rows.len() >= LEAST_ROWS && chains.ends().into_iter().all(|x| sides.are_around(x));
+    let is_inside = rows.rows.len() >= LEAST_ROWS && sides.are_around(chains.ends());
     segments.clear();
     let (mut row, end) = (chains.first_row().max(rows.rows.start), rows.rows.end);
     let mut event_row = row;
@@ -77,7 +77,7 @@ pub(super) fn cover_all<E, C: CountedEdges>(
             let (left_ends, right_ends) = loop {
                 let (left_ends, right_ends) = (left.step_ends(), right.step_ends());
                 let ([start, _], [_, end]) = (left_ends, right_ends);
-                let are_inside = is_inside || sides.are_around(start) && sides.are_around(end);
+                let are_inside = is_inside || sides.are_around([start, end]);
                 if !(are_disjoint(left_ends, right_ends) && are_inside) {
                     break (left_ends, right_ends);
                 }
