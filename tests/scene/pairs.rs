@@ -64,11 +64,13 @@ type EvenAndSpace = ([i16; 1], Perspective<2>);
 type SpaceAndEven = (Perspective<1>, [i16; 2]);
 type BothEven = ([i16; 2], [i16; 1]);
 type BothInSpace = (Perspective<1>, Perspective<2>);
+type MixedSteps = (Perspective<1>, Perspective<2, 4>);
 type Nested = (((), [i16; 1]), (Perspective<1>, ([i16; 1], ())));
 pair!(EvenAndSpace, (0, 4), [a, b, c] => ([a], Perspective([b, c])), ([a], [b, c]) => [*a, *b, *c]);
 pair!(SpaceAndEven, (4, 0), [a, b, c] => (Perspective([a]), [b, c]), ([a], [b, c]) => [*a, *b, *c]);
 pair!(BothEven, (0, 0), [a, b, c] => ([a, b], [c]), ([a, b], [c]) => [*a, *b, *c]);
 pair!(BothInSpace, (4, 0), [a, b, c] => (Perspective([a]), Perspective([b, c])), ([a], [b, c]) => [*a, *b, *c]);
+pair!(MixedSteps, (0, 0), [a, b, c] => (Perspective([a]), Perspective([b, c])), ([a], [b, c]) => [*a, *b, *c]);
 pair!(
     Nested,
     (((), 0), (0, (0, ()))),
@@ -123,6 +125,9 @@ macro_rules! compare_all {
             0: InSpace<1, 4>, |&[a, ..]| ([a], 0), 1: Even<2>, |&[_, b, c]| ([b, c], 0), 2: Even<2>, |&[_, b, c]| ([b, c], 1));
         compare!($mesh, $numbers, $pose, $wrapped<BothEven>,
             0: Even<3>, |&all| (all, 0), 1: Even<3>, |&all| (all, 1), 2: Even<3>, |&all| (all, 2));
+        compare!($mesh, $numbers, $pose, $wrapped<MixedSteps>,
+            0: InSpace<1>, |&[a, ..]| ([a], 0), 1: InSpace<2, 0, 4>, |&[_, b, c]| ([b, c], 0),
+            2: InSpace<2, 0, 4>, |&[_, b, c]| ([b, c], 1));
         compare!($mesh, $numbers, $pose, $wrapped<BothInSpace>,
             0: InSpace<1, 4>, |&[a, ..]| ([a], 0), 1: InSpace<2>, |&[_, b, c]| ([b, c], 0), 2: InSpace<2>, |&[_, b, c]| ([b, c], 1));
     };

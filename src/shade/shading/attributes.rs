@@ -418,9 +418,11 @@ fn both<A: Copy, B: Copy>(first: Run<A>, second: Run<B>) -> Run<(A, B)> {
         values: (first.values, second.values),
         per_column: (first.per_column, second.per_column),
         end: first.end.min(second.end),
-        // Of those that are even nobody asks for what is known.
         at_end: match (first.at_end, second.at_end) {
+            // Of one whose run goes on, the attributes at the end of the other's run are not known.
+            (Some(_), Some(_)) if first.end != second.end => None,
             (None, None) => None,
+            // Of those that are even nobody asks for what is known.
             (one, other) => Some((one.unwrap_or(first.values), other.unwrap_or(second.values))),
         },
     }
