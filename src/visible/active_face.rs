@@ -52,7 +52,8 @@ impl Bottom {
     const TRANSLUCENT: i16 = 1 << 1;
 }
 
-/// What is taken from the row of a face's next event where each row is one. Rows of the domain are below 2^13 in size.
+/// Subtracted from the number of a face's next event row to mark that each of its rows is an event row: below the numbers
+/// of all rows, because those are below 2^13 in size.
 const EACH_ROW: i16 = 1 << 14;
 
 /// The word of a pixel with a shading.
@@ -65,13 +66,15 @@ pub(crate) struct ActiveFace<S: ScreenPrecision, H: Shading> {
     edges: EdgePair<S>,
     /// The edge between the two lower corners.
     third: Edge<S>,
-    /// What the left and the right edge add after a carry; not used where edges are short.
+    /// What is added to the sums of the left and the right edge in rows in which their error terms carry. Not used where both
+    /// edges are short: those need no correction.
     carry_corrections: CarryCorrections<S>,
     pub(super) plane: DepthPlane,
     /// The face's index in the table of faces.
     pub(super) node: u16,
-    /// The next event row, which needs more than a step of the edges: the row in which the third edge takes over, then the one
-    /// after the last row. With carry corrections each row is one: then this is less by [`EACH_ROW`], and so above all rows.
+    /// The next event row, which needs more than a step of the edges: the row in which the third edge takes over, then the
+    /// one after the last row. With carry corrections each row is one: then this is less by [`EACH_ROW`], and so less than
+    /// any row.
     event_row: i16,
     bottom: Bottom,
     pub(super) word: WordOf<H>,
@@ -456,8 +459,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         true
     }
 
-    /// Exchanges an edge that ends in this row for the third one, with what it adds after a carry: the edge on the other side is
-    /// as high as both. `false` where the face has ended.
+    /// Exchanges an edge that ends in this row for the third one, with its carry correction, which follows from those of
+    /// the left and the right edge: one of these is as high as the other one and the third together. `false` where the face
+    /// has ended.
     #[inline(never)]
     fn end_long_edge(&mut self, row: i32) -> bool {
         if !self.end_short_edge(row) {

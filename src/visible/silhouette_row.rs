@@ -182,7 +182,7 @@ impl FaceEdges {
         self.0 & Self::ALL_COUNTED != 0
     }
 
-    /// The edges of the face that are silhouettes, or count.
+    /// The three edges of the face, and of each whether it is a silhouette or only counts in the number of surfaces.
     #[inline(always)]
     pub(crate) fn edges(self) -> EdgesLeft {
         EdgesLeft(self.0 & (Self::ALL_COUNTED | Self::ALL_DRAWN))
@@ -200,24 +200,25 @@ impl FaceEdges {
     }
 }
 
-/// The edges of a face from one on: those of the bits of [`FaceEdges`], moved down by one for each edge that was looked at.
+/// The edges of a face that a walk over them has not come to: the bits of [`FaceEdges`], moved down by one for each edge
+/// passed.
 #[derive(Debug, Copy, Clone)]
 pub(crate) struct EdgesLeft(u32);
 
 impl EdgesLeft {
-    /// Whether one of the edges counts.
+    /// Whether one of the edges left is a silhouette, or counts in the number of surfaces.
     #[inline(always)]
     pub(crate) fn has_any(self) -> bool {
         self.0 & FaceEdges::ALL_COUNTED != 0
     }
 
-    /// Whether the first edge counts, and whether it is a silhouette.
+    /// Of the first of the edges left: whether it counts in the number of surfaces, and whether it is a silhouette.
     #[inline(always)]
     pub(crate) fn first(self) -> (bool, bool) {
         (self.0 & FaceEdges::COUNTED != 0, self.0 & FaceEdges::DRAWN != 0)
     }
 
-    /// The edges after the first one.
+    /// The edges left after the first of them.
     #[inline(always)]
     #[must_use]
     pub(crate) fn others(self) -> Self {
@@ -280,8 +281,8 @@ impl Touched {
         }
     }
 
-    /// Hands over the touched columns from left to right, those that lie side by side at once, in rows with more columns than
-    /// bits also others, and columns that the row does not have.
+    /// Hands over the touched columns from left to right, as ranges of columns side by side. Where a bit stands for more
+    /// than one column, a range also has untouched ones, and may go on past the end of the row.
     #[inline(always)]
     pub(super) fn for_each_run(&self, mut visit: impl FnMut(Range<usize>)) {
         for (word, &bits) in (0..).zip(&self.words) {

@@ -118,7 +118,8 @@ pub(super) fn for_each<E>(
     mut visit: impl FnMut(Cell) -> Result<(), E>,
 ) -> Result<Cell, E> {
     let (mut x, last) = (start >> X_BITS, end >> X_BITS);
-    // Where both ends lie in one pixel: one subtraction for both.
+    // The sum of both ends' distances from the left side of the last pixel, by one subtraction; where the part begins further
+    // left, it is found below.
     let mut x_sum = start + end - (last << (X_BITS + 1));
     if x < last {
         let (from, length) = (start & (X_ONE - 1), end - start);

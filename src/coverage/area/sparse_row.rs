@@ -143,7 +143,8 @@ impl ColumnSides {
     }
 }
 
-/// Columns up to which an x fits 32 bits. Edges further out lie beside the columns, and are clusters, which takes longer.
+/// The most columns from 0 to a side whose x in 1/8192 pixel fits 32 bits. Edges beyond it are drawn as those that cross a
+/// side, which takes longer.
 const MOST_COLUMNS: i32 = i32::MAX >> X_BITS;
 
 /// Whether two edges, each given by its left and its right end, are in no pixel together, and the first one left of the other.
