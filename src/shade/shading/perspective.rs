@@ -120,25 +120,19 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
             return;
         }
         let base = *odd_one_out(corners, depths);
-        let products = |values: [i16; 3], base: i16| {
-            let mut products = [0; 3];
-            for (product, (value, depth)) in products.iter_mut().zip(values.into_iter().zip(depths)) {
-                *product = (i64::from(value) - i64::from(base)) * i64::from(depth);
+        let mut products = [[0; 3]; N];
+        // Has as many leading zeros as the greatest product.
+        let mut bits = 0;
+        for (products, (values, base)) in products.iter_mut().zip(by_attribute(corners).zip(&base)) {
+            for (product, (value, depth)) in products.iter_mut().zip(values.iter().zip(&depths)) {
+                *product = (i64::from(*value) - i64::from(*base)) * i64::from(*depth);
+                bits |= product.unsigned_abs();
             }
-            products
-        };
-        let all = || {
-            by_attribute(corners)
-                .zip(base)
-                .map(|(values, base)| products(values, base))
-        };
-        let greatest = all()
-            .flatten()
-            .fold(0, |greatest, product| product.unsigned_abs().max(greatest));
+        }
         // 15 bits are left. Not -2^15, past which the error of a gradient would wrap.
-        let exponent = 49u32.saturating_sub(greatest.leading_zeros());
+        let exponent = 49u32.saturating_sub(bits.leading_zeros());
         let rounded = |product: i64| ((product + ((1 << exponent) >> 1)) >> exponent).clamp(-0x7fff, 0x7fff) as i32;
-        for (plane, products) in set_up.planes.iter_mut().zip(all()) {
+        for (plane, products) in set_up.planes.iter_mut().zip(&products) {
             *plane = face.plane(products.map(rounded));
         }
         set_up.base = base;
@@ -244,15 +238,16 @@ fn is_nearly_even<const N: usize>([a, b, c]: [&[i16; N]; 3], [d1, d2, d3]: [u32;
     if u64::from(2 * (bits + 1)) * u64::from(d1.max(d2).max(d3) - least) <= most {
         return true;
     }
-    let is_near = |one: &[i16; N], other: &[i16; N], depth: u32| {
+    let corners = [(a, d1), (b, d2), (c, d3)];
+    let before = [(c, d3), (a, d1), (b, d2)];
+    corners.iter().zip(&before).all(|((one, depth), (other, other_depth))| {
         let greatest = one
             .iter()
-            .zip(other)
+            .zip(other.iter())
             .fold(0, |greatest, (one, other)| one.abs_diff(*other).max(greatest));
         // Below 2^16 and 2^32.
-        u64::from(greatest) * u64::from(depth) <= most
-    };
-    is_near(a, b, d1.abs_diff(d2)) && is_near(b, c, d2.abs_diff(d3)) && is_near(c, a, d3.abs_diff(d1))
+        u64::from(greatest) * u64::from(depth.abs_diff(*other_depth)) <= most
+    })
 }
 
 /// The attributes at a pixel, with 16 fractional bits.
