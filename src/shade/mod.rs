@@ -35,7 +35,7 @@ pub(crate) use ordered_dither::dither;
 pub use paint::{LinearGradient, Pattern, RadialGradient, Ramp};
 pub use samples::{ConeFilter, SampleFilter, SampleTarget};
 pub(crate) use samples::{SampleSum, SampleWeights};
-pub(crate) use shading::{AttributeInstructions, Flat, PlaneSource, Planes, Run, Shade, SpanPosition};
+pub(crate) use shading::{AttributeInstructions, Flat, PlaneSource, Planes, Run, Shade};
 pub use shading::{
     Attributes, Blinn, Bounded, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Lambert,
     Lighting, LitTextured, LitTexturedSkin, Perspective, PointLight, ReflectedLight, Shading, Textured, TexturedSkin,

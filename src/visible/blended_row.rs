@@ -23,8 +23,8 @@ use crate::{
     surface::Order,
     view::{DepthWidth, ScreenPrecision},
     visible::{
-        DepthRow, active_face::ActiveFace, active_faces::ActiveList, count::Count, face_table::FaceTable,
-        shaded_span::run,
+        DepthRow, active_face::ActiveFace, active_faces::ActiveList, count::Count, divided_runs::DividedRuns,
+        face_table::FaceTable, shaded_span::are_even,
     },
 };
 
@@ -172,11 +172,17 @@ where
         return NOTHING;
     };
     let (span, order) = (face.span(), faces.order(face.node));
-    let (mut known, mut found) = (None, NOTHING);
+    let mut runs = None;
+    if !are_even::<S, D, H, F>(face) {
+        runs = Some(DividedRuns::new::<S, D, H>(face, span, [column, row.y], row.left));
+    }
+    let mut found = NOTHING;
     while column < last {
-        let run = run::<S, D, H, F>(face, span, [column, row.y], row.left, known);
+        let run = match &mut runs {
+            Some(runs) => runs.next_run(column),
+            None => H::Attributes::even_run(&face.attributes, column, last, row.y),
+        };
         let end = run.end.min(last);
-        known = run.at_end;
         let (words, depths) = (
             row.words.get_mut(column as usize..),
             row.depths.get_mut(column as usize..),

@@ -287,6 +287,26 @@ fn store_nearer<D: DepthWidth>(depths: &mut [D], mut depth: Wrapping<u32>, per_c
     0
 }
 
+/// [`store_nearer`] of so many pixels that the compiler may unroll it.
+#[inline(always)]
+pub(super) fn store_nearer_block<D: DepthWidth, const N: usize>(
+    depths: &mut [D; N],
+    depth: Wrapping<u32>,
+    per_column: Wrapping<u32>,
+) -> usize {
+    // Keeps the compiler from carrying the depth of each pixel of a block on to the next block.
+    let mut depth = core::hint::black_box(depth);
+    for (index, stored) in depths.iter_mut().enumerate() {
+        let candidate = D::from_interpolated(depth.0);
+        if candidate <= *stored {
+            return N - index;
+        }
+        *stored = candidate;
+        depth += per_column;
+    }
+    0
+}
+
 #[cfg(feature = "defmt")]
 impl<C: BandColor, O: Order, D: DepthWidth> defmt::Format for DepthRow<'_, C, O, D> {
     fn format(&self, formatter: defmt::Formatter<'_>) {

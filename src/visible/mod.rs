@@ -18,6 +18,7 @@ mod blended_row;
 mod count;
 mod depth_plane;
 mod depth_row;
+mod divided_runs;
 mod edge;
 mod face_table;
 mod passes;

@@ -1,16 +1,17 @@
 //! Draws the spans of faces over which attributes vary, in runs along which these step evenly.
 
-use core::marker::PhantomData;
+use core::{marker::PhantomData, num::Wrapping};
 
 use crate::{
-    shade::{Planes, Run, Shade, Shading, SpanPosition},
+    shade::{Planes, Run, Shade, Shading},
     surface::Order,
     view::{DepthWidth, ScreenPrecision},
     visible::{
         DepthRow,
         active_face::{ActiveFace, WordOf},
         count::Count,
-        depth_plane::{DepthPlane, rounding},
+        depth_row::store_nearer_block,
+        divided_runs::{DividedRuns, WHOLE_RUN},
         face_table::{FaceTable, covers},
     },
 };
@@ -68,7 +69,7 @@ where
     /// from the first pixel of the row, and may lie outside it.
     #[inline(always)]
     pub(super) fn draw_span(&mut self, face: &ActiveFace<S, H>, [start, end]: [i32; 2]) -> Option<usize> {
-        if !F::IS_ORTHOGRAPHIC && !H::Attributes::are_even(&face.attributes) {
+        if !are_even::<S, D, H, F>(face) {
             return self.draw_divided_span(face, [start, end]);
         }
         if H::HAS_HOLES {
@@ -170,15 +171,21 @@ where
     fn draw_divided_span(&mut self, face: &ActiveFace<S, H>, span: [i32; 2]) -> Option<usize> {
         let (mut column, last) = (span[0].max(0), span[1].min(self.row.words.len() as i32));
         let skin = *self.faces.skin(face.node)?;
-        if column < last {
-            self.faces.count().tested((last - column) as usize);
+        if column >= last {
+            return None;
         }
-        let mut known = None;
+        self.faces.count().tested((last - column) as usize);
+        let mut runs = DividedRuns::new::<S, D, H>(face, span, [column, self.row.y], self.row.left);
+        self.faces.count().divisions(1);
         while column < last {
-            let run = divided_run::<S, D, H>(face, span, [column, self.row.y], self.row.left, known);
-            let of_start = u32::from(known.is_none());
-            known = run.at_end;
-            self.faces.count().divisions(of_start + u32::from(known.is_some()));
+            if !H::HAS_HOLES && runs.is_whole(column) {
+                match self.draw_whole_runs(face, &skin, &mut runs, [column, last]) {
+                    Ok(reached) => column = reached,
+                    Err(equal) => return Some((last - equal) as usize),
+                }
+            }
+            let run = runs.next_run(column);
+            self.faces.count().divisions(1);
             let run_end = run.end.min(last);
             let left_over = if H::HAS_HOLES {
                 let shade = varying::<S, D, H, F, O>(self.faces, &skin, face.word, run);
@@ -204,14 +211,64 @@ where
         run: &Run<ValuesOf<H>>,
     ) -> Option<usize> {
         let left = self.row.store_nearer(start, end, &face.plane)?;
-        let column = end - left as i32;
-        if start < column {
-            varying::<S, D, H, F, O>(self.faces, skin, face.word, *run).fill(self.row.pixels(start, column)?);
-        }
         if left > 0 {
-            return self.draw_parts(face, [start, column, end], Some(run));
+            return self.draw_hidden_run(face, [start, end], left as i32, run);
         }
+        varying::<S, D, H, F, O>(self.faces, skin, face.word, *run).fill(self.row.pixels(start, end)?);
         None
+    }
+
+    /// Draws whole runs of a shading without holes, from a column on and before another one, up to one that is hidden in part.
+    /// Returns the column after them, or the first one whose depth is exactly the stored one.
+    #[inline(always)]
+    fn draw_whole_runs(
+        &mut self,
+        face: &ActiveFace<S, H>,
+        skin: &F::Skin,
+        runs: &mut DividedRuns<'_, H::Attributes>,
+        [mut column, last]: [i32; 2],
+    ) -> Result<i32, i32> {
+        let range = column as usize..runs.last_column().min(last) as usize;
+        let words = self.row.words.get_mut(range.clone()).unwrap_or_default();
+        let depths = self.row.depths.get_mut(range).unwrap_or_default();
+        let (mut depth, per_column) = (face.plane.at(column, self.row.y), face.plane.per_column);
+        let mut hidden = None;
+        for (words, depths) in blocks_of(words).zip(blocks_of(depths)) {
+            let run = runs.next_whole_run();
+            self.faces.count().divisions(1);
+            let left = store_nearer_block(depths, depth, per_column);
+            if left > 0 {
+                hidden = Some((left as i32, run));
+                break;
+            }
+            varying::<S, D, H, F, O>(self.faces, skin, face.word, run).fill_block(words);
+            depth += per_column * Wrapping(WHOLE_RUN as u32);
+            column += WHOLE_RUN;
+        }
+        let Some((left, run)) = hidden else {
+            return Ok(column);
+        };
+        match self.draw_hidden_run(face, [column, run.end], left, &run) {
+            Some(left) => Err(run.end - left as i32),
+            None => Ok(run.end),
+        }
+    }
+
+    /// Draws a run that is hidden in part: so many pixels are left from the first one on that is not nearer than its stored
+    /// depth; the depths of those before it are stored.
+    #[inline(never)]
+    fn draw_hidden_run(
+        &mut self,
+        face: &ActiveFace<S, H>,
+        [start, end]: [i32; 2],
+        left: i32,
+        run: &Run<ValuesOf<H>>,
+    ) -> Option<usize> {
+        let column = end - left;
+        if start < column {
+            self.fill_part(face, [start, start, column], Some(run));
+        }
+        self.draw_parts(face, [start, column, end], Some(run))
     }
 
     /// Fills the part of a span of a face that is inside the row, without depths.
@@ -240,25 +297,31 @@ pub(super) fn word_at<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTabl
 ) -> Option<WordOf<H>> {
     let skin = faces.skin(face.node)?;
     let column = column - first_column;
-    let run = run::<S, D, H, F>(face, span, [column, row], first_column, None);
+    let run = run::<S, D, H, F>(face, span, [column, row], first_column);
     F::fragment(skin, face.word, &run.values)
 }
 
-/// The attributes of a face from a column of a span on.
+/// The attributes of a face from a column of a span on, as far as they step evenly.
 #[inline]
 pub(super) fn run<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
     face: &ActiveFace<S, H>,
     span: [i32; 2],
-    at: [i32; 2],
+    [column, row]: [i32; 2],
     first_column: i32,
-    known: Option<ValuesOf<H>>,
 ) -> Run<ValuesOf<H>> {
-    let [column, row] = at;
-    if F::IS_ORTHOGRAPHIC || H::Attributes::are_even(&face.attributes) {
+    if are_even::<S, D, H, F>(face) {
         H::Attributes::even_run(&face.attributes, column, span[1], row)
     } else {
-        divided_run::<S, D, H>(face, span, at, first_column, known)
+        DividedRuns::new::<S, D, H>(face, span, [column, row], first_column).next_run(column)
     }
+}
+
+/// Whether the attributes of a face step evenly along whole spans.
+#[inline(always)]
+pub(super) fn are_even<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+    face: &ActiveFace<S, H>,
+) -> bool {
+    F::IS_ORTHOGRAPHIC || H::Attributes::are_even(&face.attributes)
 }
 
 /// Whether a face covers a pixel of the picture, is no hole there, and nothing is seen through it.
@@ -279,26 +342,6 @@ pub(super) fn is_seen<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     let is_covered = |column: i32| covers(faces, face.node, column + first_column, row);
     let span = span_around(&is_covered, column - first_column + 1);
     word_at(faces, face, span, [column, row], first_column).is_some()
-}
-
-/// The attributes of a face that do not step evenly, from a column of a span on.
-#[inline(always)]
-fn divided_run<S: ScreenPrecision, D: DepthWidth, H: Shading>(
-    face: &ActiveFace<S, H>,
-    span: [i32; 2],
-    [column, row]: [i32; 2],
-    first_column: i32,
-    known: Option<ValuesOf<H>>,
-) -> Run<ValuesOf<H>> {
-    let position = SpanPosition {
-        depth: &exact::<D>(&face.plane),
-        span,
-        column,
-        in_picture: column + first_column,
-        row,
-        known,
-    };
-    H::Attributes::divided_run(&face.attributes, &position)
 }
 
 /// The colours of a face along a run.
@@ -324,13 +367,12 @@ where
     }
 }
 
-/// The plane of a depth without what rounds it.
+/// Some pixels of a row as whole runs, from the first one on.
 #[inline(always)]
-fn exact<D: DepthWidth>(plane: &DepthPlane) -> DepthPlane {
-    DepthPlane {
-        origin: plane.origin - rounding::<D>(),
-        ..*plane
-    }
+fn blocks_of<T>(pixels: &mut [T]) -> impl Iterator<Item = &mut [T; WHOLE_RUN as usize]> {
+    pixels
+        .chunks_exact_mut(WHOLE_RUN as usize)
+        .filter_map(|block| block.try_into().ok())
 }
 
 /// A row, for faces over which attributes vary.

@@ -385,7 +385,7 @@ fn shaded_word_of<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S,
     left: i32,
 ) -> Option<WordOf<H>> {
     let skin = faces.skin(face.node)?;
-    let mut values = run::<S, D, H, F>(face, [column, column + 1], [column, row], left, None).values;
+    let mut values = run::<S, D, H, F>(face, [column, column + 1], [column, row], left).values;
     H::Attributes::clamp(&mut values, faces.attributes(face.node)?);
     F::fragment(skin, face.word, &values)
 }

@@ -13,6 +13,7 @@ use crate::{
 
 /// What a vertex has beside its position, which varies over faces: nothing (`()`), some 16-bit numbers (`[i16; N]`), which vary
 /// evenly on the screen, numbers that vary evenly in space ([`Perspective`](crate::shade::Perspective)), or a pair of these.
+/// A pair is divided by the depth as often as that of both which is divided more often.
 ///
 /// Memory: 2 bytes a number for each vertex, and 12 for each active face.
 pub trait Attributes: Copy + Debug + Planes {
@@ -28,12 +29,17 @@ pub trait Planes: CutAttributes {
     type Values: Copy + Debug;
     /// What an active face keeps of the attributes of its corners.
     type Planes: Copy + Debug;
+    /// The numbers at a pixel of a face that is not [even](Self::are_even) that are divided by its depth there.
+    type Dividends: Copy + Debug;
     /// How far attributes that vary evenly in space may be off, in units of each.
     type Tolerance: Copy;
     /// No tolerance.
     const EXACT: Self::Tolerance;
     /// Whether there are any attributes.
     const VARY: bool;
+    /// Attributes of faces that are not [even](Self::are_even) are divided at each column of the picture that is a multiple of
+    /// this, a power of two up to 16.
+    const STEP: i32;
     /// The planes of a slot that has no face.
     const NO_PLANES: Self::Planes;
 
@@ -57,8 +63,21 @@ pub trait Planes: CutAttributes {
     /// The attributes of a face that are [even](Self::are_even) from a column of a row on, up to the end of the span.
     fn even_run(planes: &Self::Planes, column: i32, end: i32, row: i32) -> Run<Self::Values>;
 
-    /// The attributes of a face that are not even from a column of a span on, up to where they do not step as evenly.
-    fn divided_run(planes: &Self::Planes, position: &SpanPosition<'_, Self::Values>) -> Run<Self::Values>;
+    /// The dividends of a face that is not even, at a column of a row.
+    fn dividends(planes: &Self::Planes, column: i32, row: i32) -> Self::Dividends;
+
+    /// The attributes of a face that is not even, at a pixel with these dividends and this depth.
+    fn divided(planes: &Self::Planes, dividends: &Self::Dividends, depth: Wrapping<u32>) -> Self::Values;
+
+    /// What attributes gain from pixel to pixel of a run of up to 16 columns, and what they are at its end, where `depth` is
+    /// the face's depth, from those at its start. Takes the dividends from the start to the end.
+    fn divided_run(
+        planes: &Self::Planes,
+        dividends: &mut Self::Dividends,
+        values: &Self::Values,
+        columns: i32,
+        depth: Wrapping<u32>,
+    ) -> [Self::Values; 2];
 
     /// Takes attributes to the next pixel of a run.
     fn step(values: &mut Self::Values, per_column: &Self::Values);
@@ -84,24 +103,6 @@ pub struct AttributeInstructions {
     pub divided: [u32; 3],
 }
 
-/// Where in a span attributes are asked for.
-#[derive(Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct SpanPosition<'d, V> {
-    /// The plane of the face's depth.
-    pub depth: &'d ScreenPlane,
-    /// First column of the span and the one after its last, from the first of the row.
-    pub span: [i32; 2],
-    /// The column that attributes are asked for, from the first of the row.
-    pub column: i32,
-    /// The same column of the picture.
-    pub in_picture: i32,
-    /// The row of the picture.
-    pub row: i32,
-    /// The attributes at the column, where the run before it ends there.
-    pub known: Option<V>,
-}
-
 /// Attributes along some pixels of a row, which step evenly.
 #[derive(Debug, Copy, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -112,8 +113,6 @@ pub struct Run<V> {
     pub per_column: V,
     /// The column after the last one.
     pub end: i32,
-    /// The attributes at the end, where they are known.
-    pub at_end: Option<V>,
 }
 
 /// A face whose attributes are set up: the planes through its corners.
@@ -139,9 +138,11 @@ impl CutAttributes for () {
 impl Planes for () {
     type Values = ();
     type Planes = ();
+    type Dividends = ();
     type Tolerance = ();
     const EXACT: () = ();
     const VARY: bool = false;
+    const STEP: i32 = 16;
     const NO_PLANES: () = ();
 
     #[inline]
@@ -163,13 +164,18 @@ impl Planes for () {
             values: (),
             per_column: (),
             end,
-            at_end: None,
         }
     }
 
     #[inline]
-    fn divided_run((): &(), position: &SpanPosition<'_, ()>) -> Run<()> {
-        Self::even_run(&(), position.column, position.span[1], position.row)
+    fn dividends((): &(), _: i32, _: i32) {}
+
+    #[inline]
+    fn divided((): &(), (): &(), _: Wrapping<u32>) {}
+
+    #[inline]
+    fn divided_run((): &(), (): &mut (), (): &(), _: i32, _: Wrapping<u32>) -> [(); 2] {
+        [(), ()]
     }
 
     #[inline]
@@ -211,9 +217,11 @@ impl<const N: usize> CutAttributes for [i16; N] {
 impl<const N: usize> Planes for [i16; N] {
     type Values = [i32; N];
     type Planes = [ScreenPlane; N];
+    type Dividends = [Wrapping<u32>; N];
     type Tolerance = u16;
     const EXACT: u16 = 0;
     const VARY: bool = true;
+    const STEP: i32 = 16;
     const NO_PLANES: [ScreenPlane; N] = [ScreenPlane::ZERO; N];
 
     #[inline]
@@ -248,7 +256,6 @@ impl<const N: usize> Planes for [i16; N] {
             values: [0; N],
             per_column: [0; N],
             end,
-            at_end: None,
         };
         let numbers = run.values.iter_mut().zip(&mut run.per_column);
         for ((value, per_column), plane) in numbers.zip(planes) {
@@ -258,8 +265,27 @@ impl<const N: usize> Planes for [i16; N] {
         run
     }
 
-    fn divided_run(planes: &[ScreenPlane; N], position: &SpanPosition<'_, [i32; N]>) -> Run<[i32; N]> {
-        Self::even_run(planes, position.column, position.span[1], position.row)
+    #[inline(always)]
+    fn dividends(planes: &[ScreenPlane; N], column: i32, row: i32) -> [Wrapping<u32>; N] {
+        planes.map(|plane| plane.at(column, row))
+    }
+
+    #[inline(always)]
+    fn divided(_: &[ScreenPlane; N], numbers: &[Wrapping<u32>; N], _: Wrapping<u32>) -> [i32; N] {
+        numbers.map(|number| number.0 as i32)
+    }
+
+    #[inline(always)]
+    fn divided_run(
+        planes: &[ScreenPlane; N],
+        numbers: &mut [Wrapping<u32>; N],
+        _: &[i32; N],
+        columns: i32,
+        depth: Wrapping<u32>,
+    ) -> [[i32; N]; 2] {
+        step_dividends(planes, numbers, columns);
+        let per_column = planes.map(|plane| plane.per_column.0 as i32);
+        [per_column, Self::divided(planes, numbers, depth)]
     }
 
     #[inline]
@@ -278,6 +304,18 @@ impl<const N: usize> Planes for [i16; N] {
 
     fn clamp(values: &mut [i32; N], corners: [&Self; 3]) {
         clamp(values, corners, 1 << 15);
+    }
+}
+
+/// Takes the numbers of some planes over so many columns.
+#[inline(always)]
+pub(super) fn step_dividends<const N: usize>(
+    planes: &[ScreenPlane; N],
+    numbers: &mut [Wrapping<u32>; N],
+    columns: i32,
+) {
+    for (number, plane) in numbers.iter_mut().zip(planes) {
+        *number += plane.per_column * Wrapping(columns as u32);
     }
 }
 
@@ -307,9 +345,11 @@ impl<A: CutAttributes, B: CutAttributes> CutAttributes for (A, B) {
 impl<A: Planes, B: Planes> Planes for (A, B) {
     type Values = (A::Values, B::Values);
     type Planes = (A::Planes, B::Planes);
+    type Dividends = (A::Dividends, B::Dividends);
     type Tolerance = (A::Tolerance, B::Tolerance);
     const EXACT: Self::Tolerance = (A::EXACT, B::EXACT);
     const VARY: bool = A::VARY || B::VARY;
+    const STEP: i32 = if A::STEP < B::STEP { A::STEP } else { B::STEP };
     const NO_PLANES: Self::Planes = (A::NO_PLANES, B::NO_PLANES);
 
     #[inline]
@@ -354,11 +394,30 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
         )
     }
 
-    #[inline]
-    fn divided_run((first, second): &Self::Planes, position: &SpanPosition<'_, Self::Values>) -> Run<Self::Values> {
-        let of_first = position.with(position.known.map(|values| values.0));
-        let of_second = position.with(position.known.map(|values| values.1));
-        both(run::<A>(first, &of_first), run::<B>(second, &of_second))
+    #[inline(always)]
+    fn dividends((first, second): &Self::Planes, column: i32, row: i32) -> Self::Dividends {
+        (A::dividends(first, column, row), B::dividends(second, column, row))
+    }
+
+    #[inline(always)]
+    fn divided((first, second): &Self::Planes, dividends: &Self::Dividends, depth: Wrapping<u32>) -> Self::Values {
+        (
+            A::divided(first, &dividends.0, depth),
+            B::divided(second, &dividends.1, depth),
+        )
+    }
+
+    #[inline(always)]
+    fn divided_run(
+        (first, second): &Self::Planes,
+        dividends: &mut Self::Dividends,
+        values: &Self::Values,
+        columns: i32,
+        depth: Wrapping<u32>,
+    ) -> [Self::Values; 2] {
+        let [first_gain, first_end] = A::divided_run(first, &mut dividends.0, &values.0, columns, depth);
+        let [second_gain, second_end] = B::divided_run(second, &mut dividends.1, &values.1, columns, depth);
+        [(first_gain, second_gain), (first_end, second_end)]
     }
 
     #[inline(always)]
@@ -379,38 +438,6 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
     }
 }
 
-impl<V> SpanPosition<'_, V> {
-    /// The same position for other attributes.
-    fn with<W>(&self, known: Option<W>) -> SpanPosition<'_, W> {
-        let Self {
-            depth,
-            span,
-            column,
-            in_picture,
-            row,
-            ..
-        } = *self;
-        SpanPosition {
-            depth,
-            span,
-            column,
-            in_picture,
-            row,
-            known,
-        }
-    }
-}
-
-/// The run of one of a pair of attributes, which may be even where the other is not.
-#[inline]
-fn run<A: Planes>(planes: &A::Planes, position: &SpanPosition<'_, A::Values>) -> Run<A::Values> {
-    if A::are_even(planes) {
-        A::even_run(planes, position.column, position.span[1], position.row)
-    } else {
-        A::divided_run(planes, position)
-    }
-}
-
 /// The run of a pair of attributes, as far as both of them reach.
 #[inline(always)]
 fn both<A: Copy, B: Copy>(first: Run<A>, second: Run<B>) -> Run<(A, B)> {
@@ -418,12 +445,5 @@ fn both<A: Copy, B: Copy>(first: Run<A>, second: Run<B>) -> Run<(A, B)> {
         values: (first.values, second.values),
         per_column: (first.per_column, second.per_column),
         end: first.end.min(second.end),
-        at_end: match (first.at_end, second.at_end) {
-            // Of one whose run goes on, the attributes at the end of the other's run are not known.
-            (Some(_), Some(_)) if first.end != second.end => None,
-            (None, None) => None,
-            // Of those that are even nobody asks for what is known.
-            (one, other) => Some((one.unwrap_or(first.values), other.unwrap_or(second.values))),
-        },
     }
 }

@@ -24,7 +24,7 @@ mod translucent;
 mod two_sided;
 
 pub use attributes::Attributes;
-pub(crate) use attributes::{AttributeInstructions, PlaneSource, Planes, Run, SpanPosition};
+pub(crate) use attributes::{AttributeInstructions, PlaneSource, Planes, Run};
 pub use blinn::Blinn;
 pub use bounded::Bounded;
 pub(crate) use flat::Flat;
@@ -254,6 +254,17 @@ pub(crate) trait Shade<W> {
             self.step_right();
             // Keeps the compiler from unrolling: most spans are shorter than what it would prepare for.
             core::hint::black_box(());
+        }
+    }
+
+    /// [`fill`](Self::fill) of so many pixels that the compiler may unroll it.
+    #[inline(always)]
+    fn fill_block<const N: usize>(&mut self, words: &mut [W; N]) {
+        for pixel in words {
+            if let Some(word) = self.word() {
+                *pixel = word;
+            }
+            self.step_right();
         }
     }
 }

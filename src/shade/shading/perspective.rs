@@ -30,7 +30,7 @@ use crate::{
     geometry::{ScreenPlane, leading_zeros, multiply_shift, reciprocal_32},
     shade::{
         InstructionSet,
-        shading::attributes::{AttributeInstructions, Attributes, PlaneSource, Planes, Run, SpanPosition, clamp},
+        shading::attributes::{AttributeInstructions, Attributes, PlaneSource, Planes, Run, clamp, step_dividends},
     },
 };
 
@@ -80,9 +80,17 @@ impl<const N: usize, const STEP: i32> CutAttributes for Perspective<N, STEP> {
 impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
     type Values = [i32; N];
     type Planes = PerspectivePlanes<N>;
+    type Dividends = [Wrapping<u32>; N];
     type Tolerance = u16;
     const EXACT: u16 = 0;
     const VARY: bool = true;
+    const STEP: i32 = {
+        assert!(
+            matches!(STEP, 1 | 2 | 4 | 8 | 16),
+            "a division at every 1st, 2nd, 4th, 8th or 16th pixel"
+        );
+        STEP
+    };
     const NO_PLANES: PerspectivePlanes<N> = PerspectivePlanes {
         planes: [ScreenPlane::ZERO; N],
         base: [0; N],
@@ -149,42 +157,38 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         <[i16; N]>::even_run(&planes.planes, column, end, row)
     }
 
+    #[inline(always)]
+    fn dividends(planes: &PerspectivePlanes<N>, column: i32, row: i32) -> [Wrapping<u32>; N] {
+        <[i16; N]>::dividends(&planes.planes, column, row)
+    }
+
     #[inline]
-    fn divided_run(planes: &PerspectivePlanes<N>, position: &SpanPosition<'_, [i32; N]>) -> Run<[i32; N]> {
-        let SpanPosition {
-            depth,
-            span: [start, end],
-            column,
-            in_picture,
-            row,
-            known,
-        } = *position;
-        const {
-            assert!(
-                matches!(STEP, 1 | 2 | 4 | 8 | 16),
-                "a division at every 1st, 2nd, 4th, 8th or 16th pixel"
-            )
-        };
-        let past = in_picture & (STEP - 1);
-        let first = (column - past).max(start);
-        let next = column - past + STEP;
-        let last = next.min(end - 1);
-        let values = known.unwrap_or_else(|| divided(planes, depth, first, row));
-        let mut run = Run {
-            values,
-            per_column: [0; N],
-            end: next.min(end),
-            at_end: None,
-        };
-        if last > first {
-            let there = divided(planes, depth, last, row);
-            for (gain, (from, to)) in run.per_column.iter_mut().zip(values.into_iter().zip(there)) {
-                *gain = part_of((to >> 1) - (from >> 1), last - first);
-            }
-            Self::step_by(&mut run.values, &run.per_column, column - first);
-            run.at_end = Some(there);
+    fn divided(planes: &PerspectivePlanes<N>, dividends: &[Wrapping<u32>; N], depth: Wrapping<u32>) -> [i32; N] {
+        match planes.exponent {
+            Some(exponent) => quotients(planes.base, dividends, depth.0, exponent.into()),
+            // Of a pair whose other attributes are not even.
+            None => <[i16; N]>::divided(&planes.planes, dividends, depth),
         }
-        run
+    }
+
+    #[inline]
+    fn divided_run(
+        planes: &PerspectivePlanes<N>,
+        dividends: &mut [Wrapping<u32>; N],
+        values: &[i32; N],
+        columns: i32,
+        depth: Wrapping<u32>,
+    ) -> [[i32; N]; 2] {
+        let Some(exponent) = planes.exponent else {
+            return <[i16; N]>::divided_run(&planes.planes, dividends, values, columns, depth);
+        };
+        step_dividends(&planes.planes, dividends, columns);
+        let there = quotients(planes.base, dividends, depth.0, exponent.into());
+        let mut per_column = [0; N];
+        for (gain, (from, to)) in per_column.iter_mut().zip(values.iter().zip(there)) {
+            *gain = part_of((to >> 1) - (from >> 1), columns);
+        }
+        [per_column, there]
     }
 
     #[inline(always)]
@@ -250,19 +254,18 @@ fn is_nearly_even<const N: usize>([a, b, c]: [&[i16; N]; 3], [d1, d2, d3]: [u32;
     })
 }
 
-/// The attributes at a pixel, with 16 fractional bits.
+/// The attributes of a pixel from their dividends and its depth, with 16 fractional bits.
 #[inline]
-fn divided<const N: usize>(planes: &PerspectivePlanes<N>, depth: &ScreenPlane, column: i32, row: i32) -> [i32; N] {
-    let exponent = planes.exponent.map_or(0, u32::from);
+fn quotients<const N: usize>(bases: [i16; N], dividends: &[Wrapping<u32>; N], depth: u32, exponent: u32) -> [i32; N] {
     // A face's depth is not 0 at its pixels, but so that the shift is no overflow.
-    let depth = depth.at(column, row).0.max(1);
+    let depth = depth.max(1);
     let zeros = leading_zeros(depth);
     let reciprocal = reciprocal_32(depth << zeros);
     // product / 2^62, times 2^(exponent + zeros): of the product, the upper 32 bits.
     let shift = 30 - (exponent + zeros) as i32;
     let mut values = [0; N];
-    for (value, (plane, base)) in values.iter_mut().zip(planes.planes.iter().zip(planes.base)) {
-        let product = multiply_shift(plane.at(column, row).0 as i32, reciprocal, 32);
+    for (value, (dividend, base)) in values.iter_mut().zip(dividends.iter().zip(bases)) {
+        let product = multiply_shift(dividend.0 as i32, reciprocal, 32);
         let quotient = if shift >= 0 {
             product >> (shift & 31)
         } else {
