@@ -1,14 +1,17 @@
 //! Cuts the faces that the near plane, the far plane and the guard band cross. Linked only for frames whose look
 //! [clips](crate::scene::Look::CLIPS).
 
+use core::borrow::Borrow;
+
 use crate::{
     clip::convex::{Plane, Polygon, PolygonCorner, cut_segment, sutherland_hodgman},
     scene::{
         Look, Model,
-        frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, corners},
+        frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, StoredOf, corners},
         lens::{ScreenVertexOf, has_far_plane, projection},
         off_screen::{eye_corner, guard_band, is_outside, project_corner},
         preparation::{Preparation, begin, rows_of_face, visible_rows},
+        stored_attributes::Stored,
     },
     shade::{Attributes, Shading},
     view::{AffineEyeTransform, Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex, ToEye},
@@ -66,7 +69,7 @@ impl<L: Look> Preparation<'_, L> {
             let attributes = self.tables.attributes.get(first_vertex + usize::from(*index));
             let pushed = polygon.push(PolygonCorner {
                 position,
-                attributes: attributes.copied().unwrap_or(AttributesOf::<L>::ZERO),
+                attributes: attributes.map_or(AttributesOf::<L>::ZERO, all_attributes::<L>),
             });
             debug_assert!(pushed.is_ok(), "three corners of nine");
         }
@@ -122,9 +125,15 @@ impl<L: Look> Preparation<'_, L> {
     fn set_attributes_of_last(&mut self, corners: [AttributesOf<L>; 3]) {
         let first = self.vertices_needed.saturating_sub(corners.len());
         if let Some(attributes) = self.tables.attributes.get_mut(first..self.vertices_needed) {
-            attributes.copy_from_slice(&corners);
+            attributes.copy_from_slice(&corners.map(StoredOf::<L>::new));
         }
     }
+}
+
+/// All attributes of a vertex, in a look that cuts faces.
+fn all_attributes<L: Look>(stored: &StoredOf<L>) -> AttributesOf<L> {
+    // All are kept, none is asked for.
+    *stored.attributes(|| AttributesOf::<L>::ZERO).borrow()
 }
 
 /// The ends on the screen of what the near plane, the far plane and the guard band leave of an edge between two vertices of a

@@ -7,7 +7,7 @@
 //!
 //! Cost: a look at each face that is to be drawn, or at every fourth one where there are many, and at each row.
 
-use core::num::NonZeroU32;
+use core::{borrow::Borrow, num::NonZeroU32};
 
 use crate::{
     clip::convex::CutAttributes,
@@ -259,8 +259,11 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
     fn is_divided(&self, node: u16, vertices: [&ScreenVertexOf<L>; 3]) -> bool {
         // Of the stored depths, as 32-bit fractions.
         let depths = vertices.map(|vertex| (vertex.z.units() as u32) << L::Depth::FRACTION_BITS);
-        let attributes = self.attributes(node);
-        attributes.is_some_and(|corners| !AttributesOf::<L>::are_nearly_even(corners, depths, L::Shading::TOLERANCE))
+        let attributes = self.attributes(node, |of_corners| of_corners);
+        attributes.is_some_and(|corners| {
+            let corners = corners.each_ref().map(Borrow::borrow);
+            !AttributesOf::<L>::are_nearly_even(corners, depths, L::Shading::TOLERANCE)
+        })
     }
 
     /// Counts the edges of a face that has no neighbour there which is seen from the same side.

@@ -1,7 +1,7 @@
 //! The memory of a scene as a frame uses it: slices, whatever the capacities.
 
 use crate::{
-    scene::{Look, silhouette_tables::SilhouetteTables},
+    scene::{Look, silhouette_tables::SilhouetteTables, stored_attributes::StoredAttributes},
     shade::Shading,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveList, NONE},
@@ -56,14 +56,17 @@ pub(super) type ActiveListOf<L> = ActiveList<<L as Look>::Precision, <L as Look>
 /// What a vertex of a look has beside its position.
 pub(super) type AttributesOf<L> = <<L as Look>::Shading as Shading>::Attributes;
 
+/// What is kept of the attributes of a vertex of a look.
+pub(super) type StoredOf<L> = <<L as Look>::StoredAttributes as StoredAttributes>::Of<AttributesOf<L>>;
+
 /// The tables of a frame, which preparing fills in and drawing reads.
 #[derive(Debug)]
 pub(super) struct Tables<'m, L: Look> {
     /// The vertices of the models, then the fragments of cut faces. The header of a fragment holds its index in the order of
     /// faces in `x`, and the next node of its row in `y`.
     pub(super) vertices: &'m mut [ScreenVertex<L::Precision, L::Depth>],
-    /// What each of the vertices has beside its position.
-    pub(super) attributes: &'m mut [AttributesOf<L>],
+    /// What is kept of what each of the vertices has beside its position.
+    pub(super) attributes: &'m mut [StoredOf<L>],
     /// For each face the next node of its row.
     pub(super) next: &'m mut [u16],
     pub(super) rows: &'m mut [RowStart],

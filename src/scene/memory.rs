@@ -4,10 +4,10 @@ use crate::{
     geometry::InputError,
     scene::{
         Frame, Look, Model, Prepared,
-        frame::{AttributesOf, RowStart, Tables},
+        frame::{RowStart, StoredOf, Tables},
         silhouette_tables::{ColumnOf, FaceEdgesOf, SilhouetteTables},
+        stored_attributes::{Stored, StoredAttributes},
     },
-    shade::Attributes,
     view::{Camera, DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{ActiveFace, ActiveFaces, Entry},
 };
@@ -29,9 +29,9 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 ///   [`Prepared::active_needed`] says with how many each row takes one pass.
 ///
 /// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 48 an active face, and 48. What varies over
-/// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) and 12 an active face; silhouettes
-/// that are [`Antialiased`](crate::scene::Antialiased) take 12 bytes a column, 4 a face and 4 a row. All zero bits when new, so
-/// that a `static` lies in `.bss`.
+/// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) (for texture coordinates none, where no
+/// face is cut) and 12 an active face; silhouettes that are [`Antialiased`](crate::scene::Antialiased) take 12 bytes a column,
+/// 4 a face and 4 a row. All zero bits when new, so that a `static` lies in `.bss`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -65,7 +65,7 @@ pub struct Memory<
     const ACTIVE: usize = 64,
 > {
     vertices: [ScreenVertex<L::Precision, L::Depth>; VERTICES],
-    attributes: [AttributesOf<L>; VERTICES],
+    attributes: [StoredOf<L>; VERTICES],
     next: [u16; FACES],
     rows: [RowStart; HEIGHT],
     depths: [L::Depth; WIDTH],
@@ -80,13 +80,19 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
 {
     /// Memory in which nothing is prepared yet.
     pub const fn new() -> Self {
+        const {
+            assert!(
+                L::StoredAttributes::ARE_ALL || !L::CLIPS,
+                "cut faces need all attributes of their vertices"
+            )
+        };
         Self {
             vertices: [ScreenVertex {
                 x: L::Precision::ZERO,
                 y: L::Precision::ZERO,
                 z: L::Depth::FARTHEST,
             }; VERTICES],
-            attributes: [<AttributesOf<L> as Attributes>::ZERO; VERTICES],
+            attributes: [StoredOf::<L>::ZERO; VERTICES],
             next: [0; FACES],
             rows: [RowStart::ZERO; HEIGHT],
             depths: [L::Depth::FARTHEST; WIDTH],

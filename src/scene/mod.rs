@@ -58,6 +58,7 @@ mod prepared_faces;
 mod scene_item;
 mod silhouette_tables;
 mod silhouettes;
+mod stored_attributes;
 
 pub use crate::{
     mesh::{BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Edge, EdgeKind, FaceSet},

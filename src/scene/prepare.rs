@@ -7,10 +7,11 @@ use crate::{
     scene::{
         Frame, Look, Model, Prepared,
         culling::{is_beyond, is_left_out, leave_out, view_volume},
-        frame::{AttributesOf, MOST_NODES, RowStart, Tables, corners},
+        frame::{AttributesOf, MOST_NODES, RowStart, StoredOf, Tables, corners},
         lens::{ProjectionOf, ScreenVertexOf, has_far_plane, on_screen, projection},
         off_screen::{mark_behind_far_plane, off_screen},
         preparation::{Preparation, begin, rows_of_face},
+        stored_attributes::Stored,
     },
     shade::{Planes, Shading},
     view::{AffineEyeTransform, Camera, EyePoint, EyeTransform, ScreenPrecision, ToEye, ViewVolume},
@@ -163,7 +164,7 @@ impl<L: Look> Preparation<'_, L> {
                     break;
                 };
                 if !is_unseen {
-                    shade_vertices(model, camera, attributes_of_model);
+                    shade_vertices::<L>(model, camera, attributes_of_model);
                 }
                 attributes = rest;
             }
@@ -306,11 +307,12 @@ fn transform_model<L: Look>(
 
 /// Fills in what the vertices of a model have beside their positions.
 #[inline(never)]
-fn shade_vertices<H: Shading>(model: &Model<'_, H>, camera: &Camera, attributes: &mut [H::Attributes]) {
-    let uniforms = H::uniforms(model.skin(), &model.pose, camera);
+fn shade_vertices<L: Look>(model: &Model<'_, L::Shading>, camera: &Camera, attributes: &mut [StoredOf<L>]) {
+    let uniforms = L::Shading::uniforms(model.skin(), &model.pose, camera);
     let vertices = model.mesh().vertices().iter().enumerate();
     for (attributes, (vertex, position)) in attributes.iter_mut().zip(vertices) {
-        *attributes = H::vertex(model.skin(), &uniforms, vertex, position.map(i32::from));
+        let all = L::Shading::vertex(model.skin(), &uniforms, vertex, position.map(i32::from));
+        *attributes = StoredOf::<L>::new(all);
     }
 }
 

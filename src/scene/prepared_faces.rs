@@ -13,12 +13,15 @@ use crate::{
         Look, Model,
         counters::Counting,
         faces,
-        frame::{ActiveListOf, AttributesOf, FRAGMENT, FRAGMENT_VERTICES, RowStart, Tables, corners, is_whole},
+        frame::{
+            ActiveListOf, AttributesOf, FRAGMENT, FRAGMENT_VERTICES, RowStart, StoredOf, Tables, corners, is_whole,
+        },
         model::outward,
         preparation::clockwise,
         silhouette_tables::SilhouetteTables,
+        stored_attributes::Stored,
     },
-    shade::{ChannelColor, Planes, Shading},
+    shade::{Attributes, ChannelColor, Planes, Shading},
     surface::{BandColor, Order, Target},
     view::{Camera, Position, ScreenVertex},
     visible::{ColoredFace, Count, DepthRow, DepthUse, FaceTable, NONE, RowEdges, Silhouettes},
@@ -44,7 +47,7 @@ pub(super) struct RowMemory<'r, 'm, L: Look> {
 /// The filled tables of a frame, and the models that they were filled from. Kept from row to row.
 pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     pub(super) vertices: &'f [ScreenVertex<L::Precision, L::Depth>],
-    attributes: &'f [AttributesOf<L>],
+    attributes: &'f [StoredOf<L>],
     next: &'f [u16],
     pub(super) rows: &'f [RowStart],
     pub(super) models: &'f [Model<'m, L::Shading>],
@@ -345,31 +348,57 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         self.face_of_first_model(node).or_else(|| self.other_face(node))
     }
 
-    fn attributes(&self, node: u16) -> Option<[&AttributesOf<L>; 3]> {
+    type CornerAttributes<'c>
+        = <StoredOf<L> as Stored<AttributesOf<L>>>::Attributes<'c>
+    where
+        Self: 'c;
+
+    fn attributes(
+        &self,
+        node: u16,
+        in_order: impl FnOnce([u16; 3]) -> [u16; 3],
+    ) -> Option<[Self::CornerAttributes<'_>; 3]> {
+        let stored = |vertex: usize| self.attributes.get(vertex);
         if !is_whole::<L>(node) {
-            let start = usize::from(node & !FRAGMENT) + 1;
-            return self.attributes.get(start..)?.first_chunk().map(<[_; 3]>::each_ref);
+            let [a, b, c] = in_order([1, 2, 3]).map(|corner| stored(usize::from((node & !FRAGMENT) + corner)));
+            // All are kept, none is asked for.
+            let none = || AttributesOf::<L>::ZERO;
+            return Some([a?.attributes(none), b?.attributes(none), c?.attributes(none)]);
         }
-        let (first_vertex, face) = match self.first_faces.get(usize::from(node)) {
+        let (first_vertex, model, skin, uniforms, face) = match self.first_faces.get(usize::from(node)) {
             Some(face) => {
-                let (skin, _) = self.first_skin.as_ref()?;
-                (0, outward::<L::Shading, _>(skin, *face))
+                let (skin, uniforms) = self.first_skin.as_ref()?;
+                (0, self.models.first()?, skin, *uniforms, face)
             }
             None => {
                 let (model, first_vertex, face) = faces::find(self.models, node)?;
+                let uniforms = self.uniforms(model, u32::from(node) - face as u32);
                 (
                     first_vertex,
-                    outward::<L::Shading, _>(model.skin(), *model.mesh().faces().get(face)?),
+                    model,
+                    model.skin(),
+                    uniforms,
+                    model.mesh().faces().get(face)?,
                 )
             }
         };
-        let [a, b, c] = if L::DRAWS_BACKS {
+        let face = outward::<L::Shading, _>(skin, *face);
+        let face = if L::DRAWS_BACKS {
             clockwise::<L, _>(corners(self.vertices.get(first_vertex..)?, &face)?, face)
         } else {
             face
         };
-        let attributes = |index: u16| self.attributes.get(first_vertex + usize::from(index));
-        Some([attributes(a)?, attributes(b)?, attributes(c)?])
+        let all = |vertex: usize| {
+            let position = model.mesh().vertices().get(vertex).copied().unwrap_or_default();
+            L::Shading::vertex(skin, &uniforms, vertex, position.map(i32::from))
+        };
+        let [a, b, c] = in_order(face).map(usize::from);
+        let [at_a, at_b, at_c] = [a, b, c].map(|vertex| stored(first_vertex + vertex));
+        Some([
+            at_a?.attributes(|| all(a)),
+            at_b?.attributes(|| all(b)),
+            at_c?.attributes(|| all(c)),
+        ])
     }
 
     type Skin = <L::Shading as Shading>::Skin<'m>;

@@ -1,6 +1,6 @@
 //! Sets up the planes of the depth and the attributes of a face: one reciprocal a small face, whatever the number of planes.
 
-use core::marker::PhantomData;
+use core::{borrow::Borrow, marker::PhantomData};
 
 use crate::{
     geometry::ScreenPlane,
@@ -115,10 +115,9 @@ where
     let from_top = from_top(corners);
     let sides = surroundings.sample.see(Sides::of(from_top, surroundings.first_column));
     let left_over = set_up_edges(face, &sides);
-    let Some(attributes) = faces.attributes(face.node) else {
+    let Some(attributes) = faces.attributes(face.node, |of_corners| in_order_of_rows(corners, of_corners)) else {
         return left_over;
     };
-    let attributes = in_order_of_rows(corners, attributes);
     let depths = if F::IS_ORTHOGRAPHIC {
         // Nothing has a weight: as in a face whose corners are all as far away.
         [1; 3]
@@ -150,6 +149,7 @@ where
             None => set_up_wide_depth(face, faces, surroundings),
         }
     }
+    let attributes = attributes.each_ref().map(Borrow::borrow);
     H::Attributes::set_up(&mut face.attributes, attributes, &corners, H::TOLERANCE);
     left_over
 }

@@ -52,7 +52,7 @@ impl<'f, A: Planes> DividedRuns<'f, A> {
         let dividends = A::dividends(&face.attributes, column, row);
         Self {
             planes: &face.attributes,
-            values: A::divided(&face.attributes, &dividends, depth),
+            values: A::divided(&face.attributes, &dividends, depth, [column, row]),
             dividends,
             depth,
             depth_per_column: face.plane.per_column,

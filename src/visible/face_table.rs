@@ -1,5 +1,7 @@
 //! The faces of a prepared frame as the row loop reads them: by their first row, each with its corners and its colour.
 
+use core::borrow::Borrow;
+
 use embedded_graphics::geometry::Point;
 
 use crate::{
@@ -47,8 +49,16 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     fn face_of_first_model(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>>;
     /// The face of a node, with its colour; `None` where there is no such node.
     fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>>;
-    /// The attributes of the corners of a node, in the order of its corners.
-    fn attributes(&self, node: u16) -> Option<[&H::Attributes; 3]>;
+    /// The attributes of a corner, or where they are.
+    type CornerAttributes<'c>: Copy + Borrow<H::Attributes>
+    where
+        Self: 'c;
+    /// The attributes of the corners of a node, in the order into which what belongs to its corners is put.
+    fn attributes(
+        &self,
+        node: u16,
+        in_order: impl FnOnce([u16; 3]) -> [u16; 3],
+    ) -> Option<[Self::CornerAttributes<'_>; 3]>;
     /// What a model has beside its mesh.
     type Skin: Copy;
     /// What the model of a node has beside its mesh.

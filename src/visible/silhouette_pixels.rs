@@ -12,7 +12,7 @@
 //!
 //! Cost: a look at each face that crosses the row for each such pixel, and mixing.
 
-use core::{marker::PhantomData, num::Wrapping};
+use core::{borrow::Borrow, marker::PhantomData, num::Wrapping};
 
 use embedded_graphics::geometry::Point;
 use heapless::Vec;
@@ -386,7 +386,8 @@ fn shaded_word_of<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S,
 ) -> Option<WordOf<H>> {
     let skin = faces.skin(face.node)?;
     let mut values = run::<S, D, H, F>(face, [column, column + 1], [column, row], left).values;
-    H::Attributes::clamp(&mut values, faces.attributes(face.node)?);
+    let attributes = faces.attributes(face.node, |of_corners| of_corners)?;
+    H::Attributes::clamp(&mut values, attributes.each_ref().map(Borrow::borrow));
     F::fragment(skin, face.word, &values)
 }
 

@@ -5,7 +5,7 @@ use embedded_graphics::pixelcolor::Rgb888;
 use proptest::prelude::*;
 use zrow::{
     scene::{Camera, Deep, Fine, Look, Memory, Model, Pose},
-    shade::{Indexed, IndexedImage, Perspective, Shading, Textured, TexturedSkin},
+    shade::{Indexed, IndexedImage, Shading, Textured, TexturedSkin},
 };
 
 use crate::common::meshes::Mesh;
@@ -48,13 +48,13 @@ impl Shading for InPixels {
     type Color = Rgb888;
     type Skin<'a> = TexturedSkin<'a, Image>;
     type Uniforms = ();
-    type Attributes = Perspective<2>;
+    type Attributes = <Textured<Image> as Shading>::Attributes;
     const TOLERANCE: u16 = Textured::<Image>::TOLERANCE;
     const HAS_HOLES: bool = true;
 
     fn uniforms(_: &Self::Skin<'_>, _: &Pose, _: &Camera) {}
 
-    fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, position: [i32; 3]) -> Perspective<2> {
+    fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, position: [i32; 3]) -> Self::Attributes {
         Textured::<Image>::vertex(skin, &(), vertex, position)
     }
 

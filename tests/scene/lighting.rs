@@ -449,7 +449,7 @@ fn highlights_are_white_and_never_above_full_light() {
             lights,
         };
         type Lit = LitTextured<Texels<Rgb888, 1, 1>, Given>;
-        let Perspective(attributes) = Lit::vertex(&skin, &lights.0, 0, [0; 3]);
+        let Perspective(attributes) = Lit::vertex(&skin, &lights.0, 0, [0; 3]).0;
         let textured = color_of(Lit::fragment(
             &skin,
             0,

@@ -34,6 +34,7 @@ impl<H: Shading, S: ScreenPrecision, D: DepthWidth + 'static, const CLIPS: bool,
     type Depth = D;
     type Counting = ();
     type Silhouettes = ();
+    type StoredAttributes = ();
     const CLIPS: bool = CLIPS;
     const DRAWS_IN_PASSES: bool = PASSES;
 }
@@ -126,7 +127,7 @@ impl<L: Look, Same> SameTypes<L> for Same where
 }
 
 /// A look of which all types and constants are those of another: it draws the same, because nothing else of a look says what is
-/// drawn.
+/// drawn. What it keeps of attributes says only whether faces read some of them from their skin.
 pub fn assert_same_items<L: Look, Same: SameTypes<L>>() {
     fn constants<L: Look>() -> [bool; 6] {
         [
@@ -264,4 +265,12 @@ fn memory_of_a_vertex_is_that_of_its_attributes() {
     assert_eq!(grown::<Textured<Texels<Rgb565, 16, 16>>>(), 1_000);
     assert_eq!(grown::<LitTextured<Texels<Rgb565, 16, 16>>>(), 1_200);
     assert_eq!(grown::<Fine<Textured<Texels<Rgb565, 16, 16>>>>(), 1_600);
+    // Where no face is cut, texture coordinates are read from the skin.
+    assert_eq!(grown::<Whole<Gouraud<Rgb565>>>(), 1_200);
+    assert_eq!(grown::<Whole<Textured<Texels<Rgb565, 16, 16>>>>(), 600);
+    assert_eq!(grown::<Whole<LitTextured<Texels<Rgb565, 16, 16>>>>(), 800);
+    assert_eq!(
+        grown::<OnePass<Whole<Foggy<LitTextured<Texels<Rgb565, 16, 16>>>>>>(),
+        1_000
+    );
 }

@@ -27,7 +27,7 @@ pub use whole::Whole;
 
 use crate::{
     geometry::Sub4,
-    scene::counters::Counting,
+    scene::{counters::Counting, stored_attributes::StoredAttributes},
     shade::Shading,
     surface::BandColor,
     view::{DepthWidth, ScreenPrecision},
@@ -84,6 +84,9 @@ pub trait Look: 'static {
     /// `()`; in looks that are [`Antialiased`], how silhouettes are.
     type Silhouettes: Silhouettes<Self::Color>;
 
+    /// `()`; in looks that are [`Whole`], what is kept of the attributes of vertices.
+    type StoredAttributes: StoredAttributes;
+
     /// Whether faces are cut at the near plane, at the far plane and at the guard band, so that a scene may be anywhere, also
     /// around the camera. Flash: about 3 KB on a Cortex-M3 at opt-level "s".
     ///
@@ -122,4 +125,5 @@ impl<H: Shading> Look for H {
     type Depth = u16;
     type Counting = ();
     type Silhouettes = ();
+    type StoredAttributes = ();
 }

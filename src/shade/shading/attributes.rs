@@ -15,7 +15,8 @@ use crate::{
 /// evenly on the screen, numbers that vary evenly in space ([`Perspective`](crate::shade::Perspective)), or a pair of these.
 /// A pair is divided by the depth as often as that of both which is divided more often.
 ///
-/// Memory: 2 bytes a number for each vertex, and 12 for each active face.
+/// Memory: 2 bytes a number for each vertex (none for the texture coordinates of the library's shadings, where no face is cut),
+/// and 12 for each active face.
 pub trait Attributes: Copy + Debug + Planes {
     /// No attributes, or zeros.
     const ZERO: Self;
@@ -33,6 +34,8 @@ pub trait Planes: CutAttributes {
     type Dividends: Copy + Debug;
     /// How far attributes that vary evenly in space may be off, in units of each.
     type Tolerance: Copy;
+    /// Those of the attributes that are no texture coordinates: that a skin need not have as they are.
+    type Others: Copy + Debug;
     /// No tolerance.
     const EXACT: Self::Tolerance;
     /// Whether there are any attributes.
@@ -42,6 +45,14 @@ pub trait Planes: CutAttributes {
     const STEP: i32;
     /// The planes of a slot that has no face.
     const NO_PLANES: Self::Planes;
+    /// Zeros.
+    const NO_OTHERS: Self::Others;
+
+    /// Those that are no texture coordinates.
+    fn others(self) -> Self::Others;
+
+    /// The attributes of a vertex whose texture coordinates are those of `all`, and whose others are these.
+    fn with_others(others: Self::Others, all: &impl Fn() -> Self) -> Self;
 
     /// Sets the planes of a face up in the slot that keeps them; returned they would be copied. Attributes that vary evenly in
     /// space may be wrong by `tolerance` units.
@@ -66,8 +77,8 @@ pub trait Planes: CutAttributes {
     /// The dividends of a face that is not even, at a column of a row.
     fn dividends(planes: &Self::Planes, column: i32, row: i32) -> Self::Dividends;
 
-    /// The attributes of a face that is not even, at a pixel with these dividends and this depth.
-    fn divided(planes: &Self::Planes, dividends: &Self::Dividends, depth: Wrapping<u32>) -> Self::Values;
+    /// The attributes of a face that is not even, at the pixel of a column and a row that has these dividends and this depth.
+    fn divided(planes: &Self::Planes, dividends: &Self::Dividends, depth: Wrapping<u32>, at: [i32; 2]) -> Self::Values;
 
     /// What attributes gain from pixel to pixel of a run of up to 16 columns, and what they are at its end, where `depth` is
     /// the face's depth, from those at its start. Takes the dividends from the start to the end.
@@ -140,10 +151,18 @@ impl Planes for () {
     type Planes = ();
     type Dividends = ();
     type Tolerance = ();
+    type Others = ();
     const EXACT: () = ();
     const VARY: bool = false;
     const STEP: i32 = 16;
     const NO_PLANES: () = ();
+    const NO_OTHERS: () = ();
+
+    #[inline]
+    fn others(self) {}
+
+    #[inline]
+    fn with_others((): (), _: &impl Fn()) {}
 
     #[inline]
     fn instructions(_: InstructionSet) -> AttributeInstructions {
@@ -171,7 +190,7 @@ impl Planes for () {
     fn dividends((): &(), _: i32, _: i32) {}
 
     #[inline]
-    fn divided((): &(), (): &(), _: Wrapping<u32>) {}
+    fn divided((): &(), (): &(), _: Wrapping<u32>, _: [i32; 2]) {}
 
     #[inline]
     fn divided_run((): &(), (): &mut (), (): &(), _: i32, _: Wrapping<u32>) -> [(); 2] {
@@ -217,12 +236,24 @@ impl<const N: usize> CutAttributes for [i16; N] {
 impl<const N: usize> Planes for [i16; N] {
     type Values = [i32; N];
     type Planes = [ScreenPlane; N];
-    type Dividends = [Wrapping<u32>; N];
+    type Dividends = ();
     type Tolerance = u16;
+    type Others = Self;
     const EXACT: u16 = 0;
     const VARY: bool = true;
     const STEP: i32 = 16;
     const NO_PLANES: [ScreenPlane; N] = [ScreenPlane::ZERO; N];
+    const NO_OTHERS: Self = [0; N];
+
+    #[inline]
+    fn others(self) -> Self {
+        self
+    }
+
+    #[inline]
+    fn with_others(others: Self, _: &impl Fn() -> Self) -> Self {
+        others
+    }
 
     #[inline]
     fn instructions(set: InstructionSet) -> AttributeInstructions {
@@ -265,27 +296,23 @@ impl<const N: usize> Planes for [i16; N] {
         run
     }
 
-    #[inline(always)]
-    fn dividends(planes: &[ScreenPlane; N], column: i32, row: i32) -> [Wrapping<u32>; N] {
-        planes.map(|plane| plane.at(column, row))
+    #[inline]
+    fn dividends(_: &[ScreenPlane; N], _: i32, _: i32) {}
+
+    #[inline]
+    fn divided(planes: &[ScreenPlane; N], (): &(), _: Wrapping<u32>, [column, row]: [i32; 2]) -> [i32; N] {
+        Self::even_run(planes, column, column, row).values
     }
 
-    #[inline(always)]
-    fn divided(_: &[ScreenPlane; N], numbers: &[Wrapping<u32>; N], _: Wrapping<u32>) -> [i32; N] {
-        numbers.map(|number| number.0 as i32)
-    }
-
-    #[inline(always)]
+    #[inline]
     fn divided_run(
         planes: &[ScreenPlane; N],
-        numbers: &mut [Wrapping<u32>; N],
-        _: &[i32; N],
+        (): &mut (),
+        values: &[i32; N],
         columns: i32,
-        depth: Wrapping<u32>,
+        _: Wrapping<u32>,
     ) -> [[i32; N]; 2] {
-        step_dividends(planes, numbers, columns);
-        let per_column = planes.map(|plane| plane.per_column.0 as i32);
-        [per_column, Self::divided(planes, numbers, depth)]
+        even_gain::<Self>(planes, values, columns)
     }
 
     #[inline]
@@ -304,18 +331,6 @@ impl<const N: usize> Planes for [i16; N] {
 
     fn clamp(values: &mut [i32; N], corners: [&Self; 3]) {
         clamp(values, corners, 1 << 15);
-    }
-}
-
-/// Takes the numbers of some planes over so many columns.
-#[inline(always)]
-pub(super) fn step_dividends<const N: usize>(
-    planes: &[ScreenPlane; N],
-    numbers: &mut [Wrapping<u32>; N],
-    columns: i32,
-) {
-    for (number, plane) in numbers.iter_mut().zip(planes) {
-        *number += plane.per_column * Wrapping(columns as u32);
     }
 }
 
@@ -347,10 +362,22 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
     type Planes = (A::Planes, B::Planes);
     type Dividends = (A::Dividends, B::Dividends);
     type Tolerance = (A::Tolerance, B::Tolerance);
+    type Others = (A::Others, B::Others);
     const EXACT: Self::Tolerance = (A::EXACT, B::EXACT);
     const VARY: bool = A::VARY || B::VARY;
     const STEP: i32 = if A::STEP < B::STEP { A::STEP } else { B::STEP };
     const NO_PLANES: Self::Planes = (A::NO_PLANES, B::NO_PLANES);
+    const NO_OTHERS: Self::Others = (A::NO_OTHERS, B::NO_OTHERS);
+
+    #[inline]
+    fn others(self) -> Self::Others {
+        (self.0.others(), self.1.others())
+    }
+
+    #[inline(always)]
+    fn with_others((first, second): Self::Others, all: &impl Fn() -> Self) -> Self {
+        (A::with_others(first, &|| all().0), B::with_others(second, &|| all().1))
+    }
 
     #[inline]
     fn instructions(set: InstructionSet) -> AttributeInstructions {
@@ -400,10 +427,15 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
     }
 
     #[inline(always)]
-    fn divided((first, second): &Self::Planes, dividends: &Self::Dividends, depth: Wrapping<u32>) -> Self::Values {
+    fn divided(
+        (first, second): &Self::Planes,
+        dividends: &Self::Dividends,
+        depth: Wrapping<u32>,
+        at: [i32; 2],
+    ) -> Self::Values {
         (
-            A::divided(first, &dividends.0, depth),
-            B::divided(second, &dividends.1, depth),
+            divided::<A>(first, &dividends.0, depth, at),
+            divided::<B>(second, &dividends.1, depth, at),
         )
     }
 
@@ -415,8 +447,8 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
         columns: i32,
         depth: Wrapping<u32>,
     ) -> [Self::Values; 2] {
-        let [first_gain, first_end] = A::divided_run(first, &mut dividends.0, &values.0, columns, depth);
-        let [second_gain, second_end] = B::divided_run(second, &mut dividends.1, &values.1, columns, depth);
+        let [first_gain, first_end] = divided_run::<A>(first, &mut dividends.0, &values.0, columns, depth);
+        let [second_gain, second_end] = divided_run::<B>(second, &mut dividends.1, &values.1, columns, depth);
         [(first_gain, second_gain), (first_end, second_end)]
     }
 
@@ -436,6 +468,46 @@ impl<A: Planes, B: Planes> Planes for (A, B) {
         A::clamp(&mut values.0, [&a.0, &b.0, &c.0]);
         B::clamp(&mut values.1, [&a.1, &b.1, &c.1]);
     }
+}
+
+/// [`Planes::divided`] of one of a pair of attributes, which may be even where the other is not.
+#[inline]
+fn divided<A: Planes>(
+    planes: &A::Planes,
+    dividends: &A::Dividends,
+    depth: Wrapping<u32>,
+    [column, row]: [i32; 2],
+) -> A::Values {
+    if A::are_even(planes) {
+        A::even_run(planes, column, column, row).values
+    } else {
+        A::divided(planes, dividends, depth, [column, row])
+    }
+}
+
+/// [`Planes::divided_run`] of one of a pair of attributes, which may be even where the other is not.
+#[inline]
+fn divided_run<A: Planes>(
+    planes: &A::Planes,
+    dividends: &mut A::Dividends,
+    values: &A::Values,
+    columns: i32,
+    depth: Wrapping<u32>,
+) -> [A::Values; 2] {
+    if A::are_even(planes) {
+        even_gain::<A>(planes, values, columns)
+    } else {
+        A::divided_run(planes, dividends, values, columns, depth)
+    }
+}
+
+/// What even attributes gain from pixel to pixel, and what they are so many columns on.
+#[inline]
+fn even_gain<A: Planes>(planes: &A::Planes, values: &A::Values, columns: i32) -> [A::Values; 2] {
+    let per_column = A::even_run(planes, 0, 0, 0).per_column;
+    let mut there = *values;
+    A::step_by(&mut there, &per_column, columns);
+    [per_column, there]
 }
 
 /// The run of a pair of attributes, as far as both of them reach.

@@ -15,6 +15,7 @@ use crate::{
         shading::{
             lambert::Lambert,
             lighting::{FULL, LIGHT_BITS, Lighting, ReflectedLight},
+            mapped::Mapped,
             perspective::Perspective,
             textured::check_coordinates,
         },
@@ -88,7 +89,7 @@ where
     type Color = <T::Texture as Texture>::Color;
     type Skin<'a> = LitTexturedSkin<'a, T, L>;
     type Uniforms = L::OfModel;
-    type Attributes = Perspective<3, STEP>;
+    type Attributes = Mapped<Perspective<3, STEP>, [i16; 1]>;
     const TOLERANCE: u16 = tolerance::<T::Texture>();
     const HAS_HOLES: bool = T::HAS_HOLES;
 
@@ -106,8 +107,8 @@ where
     }
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i32; 3]) -> Perspective<3, STEP> {
-        Perspective(skin.lit_vertex(vertex, |bytes| L::reflected(lights, unit_normal(bytes), position)))
+    fn vertex(skin: &Self::Skin<'_>, lights: &L::OfModel, vertex: usize, position: [i32; 3]) -> Self::Attributes {
+        skin.lit_vertex(vertex, |bytes| L::reflected(lights, unit_normal(bytes), position))
     }
 
     #[inline]
@@ -117,10 +118,10 @@ where
         normals: &Affine,
         vertex: usize,
         position: [i32; 3],
-    ) -> Perspective<3, STEP> {
-        Perspective(skin.lit_vertex(vertex, |bytes| {
+    ) -> Self::Attributes {
+        skin.lit_vertex(vertex, |bytes| {
             L::reflected(lights, normals.unit_vector(normal(bytes)), position)
-        }))
+        })
     }
 
     #[inline]
@@ -148,12 +149,16 @@ where
 impl<T: Sampler, L> LitTexturedSkin<'_, T, L> {
     /// What varies from a vertex on, for the light on the two bytes of a normal.
     #[inline(always)]
-    fn lit_vertex(&self, vertex: usize, light: impl FnOnce([i8; 2]) -> ReflectedLight) -> [i16; 3] {
+    fn lit_vertex<const STEP: i32>(
+        &self,
+        vertex: usize,
+        light: impl FnOnce([i8; 2]) -> ReflectedLight,
+    ) -> Mapped<Perspective<3, STEP>, [i16; 1]> {
         let [u, v] = self.coordinates.get(vertex).copied().unwrap_or_default();
         let ReflectedLight { diffuse, specular } = light(self.normals.get(vertex).copied().unwrap_or_default());
         let light = ((diffuse + specular).min(FULL) * BRIGHTEST) >> (LIGHT_BITS - LIGHT_FRACTION_BITS);
         // Half a step above, to be rounded to the nearest.
-        [u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16]
+        Mapped::new(Perspective([u, v, (light + (1 << (LIGHT_FRACTION_BITS - 1))) as i16]))
     }
 }
 

@@ -16,6 +16,7 @@ mod gouraud;
 mod lambert;
 mod lighting;
 mod lit_textured;
+mod mapped;
 mod perspective;
 mod point_light;
 mod textured;

@@ -30,7 +30,7 @@ use crate::{
     geometry::{ScreenPlane, leading_zeros, multiply_shift, reciprocal_32},
     shade::{
         InstructionSet,
-        shading::attributes::{AttributeInstructions, Attributes, PlaneSource, Planes, Run, clamp, step_dividends},
+        shading::attributes::{AttributeInstructions, Attributes, PlaneSource, Planes, Run, clamp},
     },
 };
 
@@ -45,7 +45,8 @@ use crate::{
 /// times, numbers over a range of 4,096 are within one unit where they are divided. Numbers within 8 units of the ends of `i16`
 /// may wrap.
 ///
-/// Memory: 2 bytes a number for each vertex, 14 a number and 2 for each active face.
+/// Memory: 2 bytes a number for each vertex (none for the texture coordinates of the library's shadings, where no face is cut),
+/// 14 a number and 2 for each active face.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Perspective<const N: usize, const STEP: i32 = 16>(pub [i16; N]);
@@ -82,6 +83,7 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
     type Planes = PerspectivePlanes<N>;
     type Dividends = [Wrapping<u32>; N];
     type Tolerance = u16;
+    type Others = Self;
     const EXACT: u16 = 0;
     const VARY: bool = true;
     const STEP: i32 = {
@@ -96,6 +98,17 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         base: [0; N],
         exponent: None,
     };
+    const NO_OTHERS: Self = Self::ZERO;
+
+    #[inline]
+    fn others(self) -> Self {
+        self
+    }
+
+    #[inline]
+    fn with_others(others: Self, _: &impl Fn() -> Self) -> Self {
+        others
+    }
 
     #[inline]
     fn instructions(set: InstructionSet) -> AttributeInstructions {
@@ -120,31 +133,20 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
     fn set_up(set_up: &mut PerspectivePlanes<N>, [a, b, c]: [&Self; 3], face: &impl PlaneSource, tolerance: u16) {
         let corners = [&a.0, &b.0, &c.0];
         let depths = face.depths();
+        let mut numbers = [[0; 3]; N];
         if is_nearly_even(corners, depths, tolerance) {
             set_up.exponent = None;
-            for (plane, values) in set_up.planes.iter_mut().zip(by_attribute(corners)) {
-                *plane = face.plane(values.map(i32::from));
+            for (numbers, values) in numbers.iter_mut().zip(by_attribute(corners)) {
+                *numbers = values.map(i32::from);
             }
-            return;
+        } else {
+            set_up.base = *odd_one_out(corners, depths);
+            let exponent = multiply(&mut numbers, corners, &set_up.base, depths);
+            set_up.exponent = Some(exponent as u8);
         }
-        let base = *odd_one_out(corners, depths);
-        let mut products = [[0; 3]; N];
-        // Has as many leading zeros as the greatest product.
-        let mut bits = 0;
-        for (products, (values, base)) in products.iter_mut().zip(by_attribute(corners).zip(&base)) {
-            for (product, (value, depth)) in products.iter_mut().zip(values.iter().zip(&depths)) {
-                *product = (i64::from(*value) - i64::from(*base)) * i64::from(*depth);
-                bits |= product.unsigned_abs();
-            }
+        for (plane, numbers) in set_up.planes.iter_mut().zip(numbers) {
+            *plane = face.plane(numbers);
         }
-        // 15 bits are left. Not -2^15, past which the error of a gradient would wrap.
-        let exponent = 49u32.saturating_sub(bits.leading_zeros());
-        let rounded = |product: i64| ((product + ((1 << exponent) >> 1)) >> exponent).clamp(-0x7fff, 0x7fff) as i32;
-        for (plane, products) in set_up.planes.iter_mut().zip(&products) {
-            *plane = face.plane(products.map(rounded));
-        }
-        set_up.base = base;
-        set_up.exponent = Some(exponent as u8);
     }
 
     #[inline]
@@ -159,16 +161,17 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
 
     #[inline(always)]
     fn dividends(planes: &PerspectivePlanes<N>, column: i32, row: i32) -> [Wrapping<u32>; N] {
-        <[i16; N]>::dividends(&planes.planes, column, row)
+        planes.planes.map(|plane| plane.at(column, row))
     }
 
     #[inline]
-    fn divided(planes: &PerspectivePlanes<N>, dividends: &[Wrapping<u32>; N], depth: Wrapping<u32>) -> [i32; N] {
-        match planes.exponent {
-            Some(exponent) => quotients(planes.base, dividends, depth.0, exponent.into()),
-            // Of a pair whose other attributes are not even.
-            None => <[i16; N]>::divided(&planes.planes, dividends, depth),
-        }
+    fn divided(
+        planes: &PerspectivePlanes<N>,
+        dividends: &[Wrapping<u32>; N],
+        depth: Wrapping<u32>,
+        _: [i32; 2],
+    ) -> [i32; N] {
+        quotients(planes, dividends, depth)
     }
 
     #[inline]
@@ -179,11 +182,10 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
         columns: i32,
         depth: Wrapping<u32>,
     ) -> [[i32; N]; 2] {
-        let Some(exponent) = planes.exponent else {
-            return <[i16; N]>::divided_run(&planes.planes, dividends, values, columns, depth);
-        };
-        step_dividends(&planes.planes, dividends, columns);
-        let there = quotients(planes.base, dividends, depth.0, exponent.into());
+        for (dividend, plane) in dividends.iter_mut().zip(&planes.planes) {
+            *dividend += plane.per_column * Wrapping(columns as u32);
+        }
+        let there = quotients(planes, dividends, depth);
         let mut per_column = [0; N];
         for (gain, (from, to)) in per_column.iter_mut().zip(values.iter().zip(there)) {
             *gain = part_of((to >> 1) - (from >> 1), columns);
@@ -209,6 +211,33 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
 /// The values of each attribute at three corners.
 fn by_attribute<const N: usize>([a, b, c]: [&[i16; N]; 3]) -> impl Iterator<Item = [i16; 3]> {
     a.iter().zip(b).zip(c).map(|((a, b), c)| [*a, *b, *c])
+}
+
+/// Sets the differences of attributes from the base times the depth, divided by a power of two so that they have 15 bits.
+/// Returns the exponent of that power.
+#[inline(always)]
+fn multiply<const N: usize>(
+    numbers: &mut [[i32; 3]; N],
+    corners: [&[i16; N]; 3],
+    base: &[i16; N],
+    depths: [u32; 3],
+) -> u32 {
+    let mut products = [[0; 3]; N];
+    // Has as many leading zeros as the greatest product.
+    let mut bits = 0;
+    for (products, (values, base)) in products.iter_mut().zip(by_attribute(corners).zip(base)) {
+        for (product, (value, depth)) in products.iter_mut().zip(values.iter().zip(&depths)) {
+            *product = (i64::from(*value) - i64::from(*base)) * i64::from(*depth);
+            bits |= product.unsigned_abs();
+        }
+    }
+    let exponent = 49u32.saturating_sub(bits.leading_zeros());
+    for (number, product) in numbers.as_flattened_mut().iter_mut().zip(products.as_flattened()) {
+        let rounded = (product + ((1 << exponent) >> 1)) >> exponent;
+        // Not -2^15, past which the error of a gradient would wrap.
+        *number = rounded.clamp(-0x7fff, 0x7fff) as i32;
+    }
+    exponent
 }
 
 /// The attributes of the corner from which the others are counted: the farthest or the nearest one, whose depth is farther from
@@ -255,16 +284,20 @@ fn is_nearly_even<const N: usize>([a, b, c]: [&[i16; N]; 3], [d1, d2, d3]: [u32;
 }
 
 /// The attributes of a pixel from their dividends and its depth, with 16 fractional bits.
-#[inline]
-fn quotients<const N: usize>(bases: [i16; N], dividends: &[Wrapping<u32>; N], depth: u32, exponent: u32) -> [i32; N] {
+fn quotients<const N: usize>(
+    planes: &PerspectivePlanes<N>,
+    dividends: &[Wrapping<u32>; N],
+    depth: Wrapping<u32>,
+) -> [i32; N] {
+    let exponent = planes.exponent.map_or(0, u32::from);
     // A face's depth is not 0 at its pixels, but so that the shift is no overflow.
-    let depth = depth.max(1);
+    let depth = depth.0.max(1);
     let zeros = leading_zeros(depth);
     let reciprocal = reciprocal_32(depth << zeros);
     // product / 2^62, times 2^(exponent + zeros): of the product, the upper 32 bits.
     let shift = 30 - (exponent + zeros) as i32;
     let mut values = [0; N];
-    for (value, (dividend, base)) in values.iter_mut().zip(dividends.iter().zip(bases)) {
+    for (value, (dividend, base)) in values.iter_mut().zip(dividends.iter().zip(planes.base)) {
         let product = multiply_shift(dividend.0 as i32, reciprocal, 32);
         let quotient = if shift >= 0 {
             product >> (shift & 31)

@@ -14,7 +14,7 @@ use crate::{
     mesh::FaceSet,
     shade::{
         InstructionSet, Sampler, Shading, Texture,
-        shading::perspective::Perspective,
+        shading::{mapped::Mapped, perspective::Perspective},
         texture::{ImageOf, tolerance},
     },
     surface::BandColor,
@@ -65,7 +65,7 @@ impl<T: Sampler, const STEP: i32> Shading for Textured<T, STEP> {
     type Color = <T::Texture as Texture>::Color;
     type Skin<'a> = TexturedSkin<'a, T>;
     type Uniforms = ();
-    type Attributes = Perspective<2, STEP>;
+    type Attributes = Mapped<Perspective<2, STEP>, ()>;
     const TOLERANCE: u16 = tolerance::<T::Texture>();
     const HAS_HOLES: bool = T::HAS_HOLES;
 
@@ -76,8 +76,8 @@ impl<T: Sampler, const STEP: i32> Shading for Textured<T, STEP> {
     fn uniforms(_: &Self::Skin<'_>, _: &Pose, _: &Camera) {}
 
     #[inline]
-    fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, _: [i32; 3]) -> Perspective<2, STEP> {
-        Perspective(skin.coordinates.get(vertex).copied().unwrap_or_default())
+    fn vertex(skin: &Self::Skin<'_>, (): &(), vertex: usize, _: [i32; 3]) -> Self::Attributes {
+        Mapped::new(Perspective(skin.coordinates.get(vertex).copied().unwrap_or_default()))
     }
 
     #[inline]
