@@ -14,7 +14,7 @@ use crate::{
         estimate::RowDrawing,
         faces::{self, ScreenFace},
         frame::ActiveListOf,
-        prepared_faces::{PreparedFaces, RowMemory},
+        prepared_faces::{FrameUniforms, PreparedFaces, RowMemory},
         silhouette_tables::SilhouetteTables,
     },
     shade::{ChannelColor, InstructionSet},
@@ -120,7 +120,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
             active,
         } = frame;
         Ok(Self {
-            faces: PreparedFaces::new(tables, models, camera),
+            faces: PreparedFaces::new(tables, models, camera, FrameUniforms::of(models, camera)),
             depths,
             silhouettes,
             active,

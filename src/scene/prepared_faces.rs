@@ -36,6 +36,39 @@ type SkinOf<'m, L> = (<<L as Look>::Shading as Shading>::Skin<'m>, UniformsOf<L>
 /// What is the same for all vertices of a model in a frame.
 type UniformsOf<L> = <<L as Look>::Shading as Shading>::Uniforms;
 
+/// What is the same for all vertices of models in a frame, as far as it is known.
+pub(super) struct FrameUniforms<L: Look> {
+    /// That of the first model.
+    first: Option<UniformsOf<L>>,
+    /// The number of the first face of the model that was asked for last, and that of this model.
+    last: Option<(u32, UniformsOf<L>)>,
+}
+
+impl<L: Look> Copy for FrameUniforms<L> {}
+
+impl<L: Look> Clone for FrameUniforms<L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L: Look> FrameUniforms<L> {
+    /// No model is known.
+    pub(super) const NONE: Self = Self {
+        first: None,
+        last: None,
+    };
+
+    /// The first of some models is known.
+    pub(super) fn of(models: &[Model<'_, L::Shading>], camera: &Camera) -> Self {
+        let first = models.first();
+        Self {
+            first: first.map(|model| L::Shading::uniforms(model.skin(), &model.pose, camera)),
+            last: None,
+        }
+    }
+}
+
 /// The memory that changes while the rows of a prepared frame are drawn: the active list, the depths of a row, and its
 /// silhouettes.
 pub(super) struct RowMemory<'r, 'm, L: Look> {
@@ -62,11 +95,14 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
 }
 
 impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
-    pub(super) fn new(tables: Tables<'f, L>, models: &'f [Model<'m, L::Shading>], camera: &Camera) -> Self {
+    pub(super) fn new(
+        tables: Tables<'f, L>,
+        models: &'f [Model<'m, L::Shading>],
+        camera: &Camera,
+        uniforms: FrameUniforms<L>,
+    ) -> Self {
         let first = models.first();
         let first_faces = first.map_or(&[][..], |model| model.mesh().faces());
-        let skin =
-            |model: &Model<'m, L::Shading>| (*model.skin(), L::Shading::uniforms(model.skin(), &model.pose, camera));
         Self {
             vertices: tables.vertices,
             attributes: tables.attributes,
@@ -74,11 +110,21 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
             rows: tables.rows,
             models,
             first_faces,
-            first_skin: first.map(skin),
+            first_skin: first
+                .zip(uniforms.first)
+                .map(|(model, uniforms)| (*model.skin(), uniforms)),
             viewport: camera.viewport(),
             camera: *camera,
-            last_uniforms: Cell::new(None),
+            last_uniforms: Cell::new(uniforms.last),
             counting: L::Counting::default(),
+        }
+    }
+
+    /// What is known of the models, to go on with in the next rows.
+    pub(super) fn frame_uniforms(&self) -> FrameUniforms<L> {
+        FrameUniforms {
+            first: self.first_skin.as_ref().map(|(_, uniforms)| *uniforms),
+            last: self.last_uniforms.get(),
         }
     }
 

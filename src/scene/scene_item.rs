@@ -12,7 +12,8 @@ use crate::{
     geometry::{InputError, SubPixel, Window},
     scene::{
         Frame, Look, Model, faces,
-        prepared_faces::{PreparedFaces, RowMemory},
+        off_screen::is_outside,
+        prepared_faces::{FrameUniforms, PreparedFaces, RowMemory},
     },
     surface::Order,
     view::Camera,
@@ -24,7 +25,8 @@ use crate::{
 ///
 /// `L` is the [`Look`] of the scene's [`Memory`](crate::scene::Memory); `MODELS` is the number of models. All of them are
 /// prepared together, as by [`Frame::prepare`], and the item draws what was prepared last. RAM beside that of the memory and
-/// the models: 68 bytes on a 32-bit machine.
+/// the models: 192 bytes on a 32-bit machine, and twice what is the same for all vertices of a model
+/// ([`Shading::Uniforms`](crate::shade::Shading::Uniforms)), for one light 32.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
@@ -71,6 +73,7 @@ struct Storage<'f, 'm, L: Look, const MODELS: usize> {
     /// What it was prepared for; `None` where that failed.
     camera: Option<Camera>,
     fragments: Range<usize>,
+    uniforms: FrameUniforms<L>,
 }
 
 impl<'f, 'm, L: Look, const MODELS: usize> SceneItem<'f, 'm, L, MODELS> {
@@ -88,6 +91,7 @@ impl<'f, 'm, L: Look, const MODELS: usize> SceneItem<'f, 'm, L, MODELS> {
             models,
             camera: None,
             fragments: 0..0,
+            uniforms: FrameUniforms::NONE,
         };
         storage.prepare(camera)?;
         Ok(Self(RefCell::new(storage)))
@@ -114,49 +118,42 @@ impl<L: Look, const MODELS: usize> Storage<'_, '_, L, MODELS> {
     fn prepare(&mut self, camera: &Camera) -> Result<(), InputError> {
         self.camera = None;
         self.fragments = self.frame.fill(camera, &self.models)?;
+        self.uniforms = FrameUniforms::of(&self.models, camera);
         self.camera = Some(*camera);
         Ok(())
     }
 }
 
 impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneItem<'_, '_, L, MODELS> {
-    /// The smallest box around the faces as they were snapped, within the viewport. Cost: a look at each face.
+    /// The smallest box around the vertices as they were snapped, within the viewport; where some are off the screen, around what
+    /// is left of the faces. Cost: a look at each vertex, or at each face.
     fn bounds(&self) -> Window {
         let Ok(storage) = self.0.try_borrow() else {
             return Window::EMPTY;
         };
-        let faces = faces::all::<L>(
-            storage.frame.tables.vertices,
-            &storage.models,
-            storage.fragments.clone(),
-        );
+        let Storage { frame, models, .. } = &*storage;
+        let vertices = frame.tables.vertices.get(..storage.fragments.start).unwrap_or_default();
+        let around = if vertices.iter().any(is_outside) {
+            let faces = faces::all::<L>(frame.tables.vertices, models, storage.fragments.clone());
+            let corners = faces.flat_map(|face| face.corners);
+            box_around(corners.map(|corner| [corner.point.x_units(), corner.point.y_units()]))
+        } else {
+            box_around(vertices.iter().map(|vertex| [vertex.x_units(), vertex.y_units()]))
+        };
         // The first pixel whose centre is at a corner or after it, and the one after the last whose centre is before it.
         let one = 1 << <L::Precision as SubPixel>::FRACTION_BITS;
         let pixel = |units: i32| (units + (one - 1)) >> <L::Precision as SubPixel>::FRACTION_BITS;
-        let corners = faces.flat_map(|face| face.corners);
-        let around = corners
-            .map(|corner| [corner.point.x_units(), corner.point.y_units()].map(pixel))
-            .fold(None, |around: Option<Window>, [x, y]| {
-                let Window {
+        match (around, &storage.camera) {
+            (Some([least, most]), Some(camera)) => {
+                let ([left, top], [right, bottom]) = (least.map(pixel), most.map(pixel));
+                let around = Window {
                     left,
                     top,
-                    right,
-                    bottom,
-                } = around.unwrap_or(Window {
-                    left: x,
-                    top: y,
-                    right: x,
-                    bottom: y,
-                });
-                Some(Window {
-                    left: left.min(x),
-                    top: top.min(y),
-                    right: right.max(x + 1),
-                    bottom: bottom.max(y + 1),
-                })
-            });
-        match (around, &storage.camera) {
-            (Some(around), Some(camera)) => around.intersection(&camera.viewport()),
+                    right: right + 1,
+                    bottom: bottom + 1,
+                };
+                around.intersection(&camera.viewport())
+            }
             _ => Window::EMPTY,
         }
     }
@@ -169,6 +166,7 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
             frame,
             models,
             camera: Some(camera),
+            uniforms,
             ..
         } = &mut *storage
         else {
@@ -180,14 +178,24 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
             mut silhouettes,
             active,
         } = frame.reborrow();
-        let faces = PreparedFaces::new(tables, models, camera);
+        let faces = PreparedFaces::new(tables, models, camera, *uniforms);
         let rows = RowMemory {
             active,
             depths,
             silhouettes: &mut silhouettes,
         };
         faces.draw(rows, band, DepthUse::WhereFacesMayOverlap, |_| {});
+        *uniforms = faces.frame_uniforms();
     }
+}
+
+/// The least and the greatest x and y of some points; `None` where there are none.
+#[inline]
+fn box_around(mut points: impl Iterator<Item = [i32; 2]>) -> Option<[[i32; 2]; 2]> {
+    let first = points.next()?;
+    Some(points.fold([first; 2], |[[left, top], [right, bottom]], [x, y]| {
+        [[left.min(x), top.min(y)], [right.max(x), bottom.max(y)]]
+    }))
 }
 
 impl<L: Look, const MODELS: usize> fmt::Debug for SceneItem<'_, '_, L, MODELS> {

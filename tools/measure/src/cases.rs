@@ -20,6 +20,7 @@ pub fn all() -> Vec<Case> {
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(teapots())
+        .chain([teapot_as_item()])
         .chain(teapots_in_samples())
         .chain(estimates())
         .chain(effects::budgeted())
@@ -532,6 +533,23 @@ fn teapots() -> impl Iterator<Item = Case> {
             },
         })
     })
+}
+
+/// The Utah teapot at 240 x 320 as the only item of a prepared picture: a frame up to its finished rows.
+fn teapot_as_item() -> Case {
+    Case {
+        name: "scene.teapot.flat_lit.item".into(),
+        title: "Utah teapot under a light, one brightness a face, as an item of a picture".into(),
+        target: V7EM,
+        budget: None,
+        cycles_budget: None,
+        source: Source::Count {
+            firmware: "teapots",
+            count: "scene.teapot.flat_lit",
+            variant: "item",
+            peer: Peer::None,
+        },
+    }
 }
 
 /// The Utah teapot at 240 x 320 with four samples a pixel: a frame up to its finished rows.

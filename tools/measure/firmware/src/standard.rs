@@ -6,7 +6,8 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use zrow::{
     band::{Band, PictureLoop},
     coverage::{Rooks, SamplePattern},
-    scene::{Antialiased, InstructionSet, Look, Memory, Multisampled, Prepared},
+    draw::{Picture, PictureSlot},
+    scene::{Antialiased, InstructionSet, Look, Memory, Multisampled, Prepared, SceneItem},
     shade::{Bilinear, FlatLit, Gouraud, LitTextured, Texels, Textured},
 };
 use zrow_scenes::{
@@ -165,6 +166,31 @@ where
         });
     }
 
+    /// Draws a frame as the only item of a picture.
+    pub fn draw_item(&mut self, frame: u32) {
+        let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {
+            report::exit(false)
+        };
+        let (mut slots, mut buckets) = ([PictureSlot::EMPTY; 1], [0; ROWS]);
+        let Ok(scene) = SceneItem::new(self.memory.frame(), &camera, [S::model().with_pose(pose)]) else {
+            report::exit(false)
+        };
+        let mut picture = Picture::new(Self::AREA, &mut slots, &mut [], &mut buckets);
+        if picture.add_item(&scene).is_err() {
+            report::exit(false)
+        }
+        let mut sink = |band: Band<'_, Rgb565>| -> Result<(), Infallible> {
+            black_box(band.words());
+            Ok(())
+        };
+        let drawn = PictureLoop::new(Self::AREA, Rgb565::BLACK).draw(&mut self.colors, &mut sink, |band| {
+            picture.draw(band);
+        });
+        if drawn.is_err() {
+            report::exit(false)
+        }
+    }
+
     /// Draws a frame and hands over its rows.
     #[inline(always)]
     pub fn rows(&mut self, frame: u32, output: impl FnMut(&[u16])) {
@@ -245,6 +271,22 @@ pub fn count<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS
         runner.count(name, "draw", stage, &FRAME_NUMBERS, |stage, &frame| stage.draw(frame));
         runner.count(name, "display", stage, &FRAME_NUMBERS, |stage, &frame| {
             stage.display(frame)
+        });
+    }
+}
+
+/// Counts what drawing a frame takes as an item of a picture, where it is asked for.
+pub fn count_item<S, L, const V: usize, const F: usize, const A: usize, const COLUMNS: usize, const ROWS: usize>(
+    runner: &mut Runner,
+    name: &str,
+    stage: &mut Stage<S, L, V, F, A, COLUMNS, ROWS>,
+) where
+    S: Subject,
+    L: Look<Color = Rgb565, Shading = S::Shading>,
+{
+    if runner.wants(name) {
+        runner.count(name, "item", stage, &FRAME_NUMBERS, |stage, &frame| {
+            stage.draw_item(frame);
         });
     }
 }

@@ -9,7 +9,7 @@ use zrow_measure_firmware::{
     run::Runner,
     standard::{
         BilinearTeapot, FlatLitTeapot, FlatTeapot, GouraudTeapot, MultisampledTeapot, SilhouetteTeapot, TexturedQuad,
-        TexturedTeapot, count, count_samples,
+        TexturedTeapot, count, count_item, count_samples,
     },
     stopwatch::Stopwatch,
 };
@@ -53,6 +53,7 @@ fn main() -> ! {
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
     count(&mut runner, "scene.teapot.flat", flat);
     count(&mut runner, "scene.teapot.flat_lit", flat_lit);
+    count_item(&mut runner, "scene.teapot.flat_lit", flat_lit);
     count(&mut runner, "scene.teapot.gouraud", gouraud);
     count(&mut runner, "scene.teapot.textured_lit", textured);
     count(&mut runner, "scene.teapot.bilinear", bilinear);
