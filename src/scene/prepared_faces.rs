@@ -19,7 +19,7 @@ use crate::{
         model::outward,
         preparation::clockwise,
         silhouette_tables::SilhouetteTables,
-        stored_attributes::Stored,
+        stored_attributes::{Stored, StoredAttributes},
     },
     shade::{Attributes, ChannelColor, Planes, Shading},
     surface::{BandColor, Order, Target},
@@ -414,16 +414,17 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         let (first_vertex, model, skin, uniforms, face) = match self.first_faces.get(usize::from(node)) {
             Some(face) => {
                 let (skin, uniforms) = self.first_skin.as_ref()?;
-                (0, self.models.first()?, skin, *uniforms, face)
+                (0, self.models.first()?, skin, Some(*uniforms), face)
             }
             None => {
                 let (model, first_vertex, face) = faces::find(self.models, node)?;
-                let uniforms = self.uniforms(model, u32::from(node) - face as u32);
+                // Asked for where not all attributes are kept.
+                let uniforms = || self.uniforms(model, u32::from(node) - face as u32);
                 (
                     first_vertex,
                     model,
                     model.skin(),
-                    uniforms,
+                    (!L::StoredAttributes::ARE_ALL).then(uniforms),
                     model.mesh().faces().get(face)?,
                 )
             }
@@ -436,7 +437,9 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         };
         let all = |vertex: usize| {
             let position = model.mesh().vertices().get(vertex).copied().unwrap_or_default();
-            L::Shading::vertex(skin, &uniforms, vertex, position.map(i32::from))
+            uniforms.as_ref().map_or(AttributesOf::<L>::ZERO, |uniforms| {
+                L::Shading::vertex(skin, uniforms, vertex, position.map(i32::from))
+            })
         };
         let [a, b, c] = in_order(face).map(usize::from);
         let [at_a, at_b, at_c] = [a, b, c].map(|vertex| stored(first_vertex + vertex));

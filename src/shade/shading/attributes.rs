@@ -34,7 +34,7 @@ pub trait Planes: CutAttributes {
     type Dividends: Copy + Debug;
     /// How far attributes that vary evenly in space may be off, in units of each.
     type Tolerance: Copy;
-    /// Those of the attributes that are no texture coordinates: that a skin need not have as they are.
+    /// The attributes of a vertex without the texture coordinates that its skin has.
     type Others: Copy + Debug;
     /// No tolerance.
     const EXACT: Self::Tolerance;
@@ -48,7 +48,7 @@ pub trait Planes: CutAttributes {
     /// Zeros.
     const NO_OTHERS: Self::Others;
 
-    /// Those that are no texture coordinates.
+    /// The attributes without texture coordinates.
     fn others(self) -> Self::Others;
 
     /// The attributes of a vertex whose texture coordinates are those of `all`, and whose others are these.
