@@ -186,6 +186,9 @@ pub trait EdgeSum: Copy + Debug + Ord + Send + Sync + sealed::Sealed {
     /// One step further, without a carry correction.
     #[must_use]
     fn plus(self, step: Self) -> Self;
+    /// The mean of two sums, each of which is rounded down to an even number before.
+    #[must_use]
+    fn mean(self, other: Self) -> Self;
     /// The sum after a step, with the carry correction added where that step carried.
     #[must_use]
     fn corrected(self, carry_correction: Self::CarryCorrection) -> Self;
@@ -198,9 +201,10 @@ impl EdgeSum for i32 {
     type CarryCorrection = u16;
     type CarryCorrections = u32;
     const ZERO: Self = 0;
-    /// Columns take 14 bits. The rest makes edges long that still need no carry correction, for processors that divide: others
-    /// have carry corrections always, and those take fewer instructions with 16 bits.
-    const FRACTION_BITS: u32 = if HAS_DIVIDER { 18 } else { 16 };
+    /// Columns take 12 bits: those of the domain do, from the first column of a row on, which is one of them. The rest makes
+    /// edges long that still need no carry correction, for processors that divide: others have carry corrections always, and
+    /// those take fewer instructions with 16 bits.
+    const FRACTION_BITS: u32 = if HAS_DIVIDER { 20 } else { 16 };
     const NO_CARRY_CORRECTIONS: u32 = 0;
 
     #[inline]
@@ -252,6 +256,11 @@ impl EdgeSum for i32 {
     #[inline]
     fn plus(self, step: Self) -> Self {
         (Wrapping(self) + Wrapping(step)).0
+    }
+
+    #[inline]
+    fn mean(self, other: Self) -> Self {
+        (self >> 1) + (other >> 1)
     }
 
     #[inline]
@@ -319,6 +328,11 @@ impl EdgeSum for i64 {
     #[inline]
     fn plus(self, step: Self) -> Self {
         (Wrapping(self) + Wrapping(step)).0
+    }
+
+    #[inline]
+    fn mean(self, other: Self) -> Self {
+        (self >> 1) + (other >> 1)
     }
 
     #[inline]

@@ -261,7 +261,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         self.event_row = next as i16;
     }
 
-    /// Twice the middle column of the face's span, and its step from row to row: these order disjoint spans by columns,
+    /// The middle of the face's span, and twice its step from row to row: these order disjoint spans by columns,
     /// also those that begin in the same point.
     #[inline(always)]
     pub(super) fn middle(&self) -> [S::EdgeSum; 2] {
@@ -290,7 +290,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         }
         let first = row_after::<S>(sides.top.y);
         if Edge::<S>::MAY_BE_SHORT && !self.has_carry_corrections() {
-            // At most 30.
+            // At most 62.
             for reached in first..row {
                 self.next_span();
                 self.begin_row_seldom(reached + 1);

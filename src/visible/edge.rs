@@ -1,7 +1,7 @@
 //! An edge walked exactly, row by row: quotient and remainder, one division.
 
 use crate::{
-    geometry::{HAS_DIVIDER, divide_floor, divide_long},
+    geometry::{HAS_DIVIDER, divide_floor, divide_long, pixel_domain},
     view::{EdgeSum, Position, ScreenPrecision},
 };
 
@@ -17,11 +17,11 @@ pub(super) struct Edge<S: ScreenPrecision> {
     step: S::EdgeSum,
 }
 
-/// Height in units up to which an edge in 12.4 is short: it crosses 31 rows.
-const SHORT: i32 = 31 * 16;
+/// Height in units up to which an edge in 12.4 is short: it crosses 63 rows.
+const SHORT: i32 = 63 * 16;
 
 /// Width in units up to which two edges of a face are short: the third one may be twice as wide, which fits a step.
-const NARROW: i32 = 1 << 12;
+const NARROW: i32 = 1 << 10;
 
 /// What an edge adds after a carry. Kept apart, so that two edges take no padding.
 pub(super) type CarryCorrection<S> = <<S as ScreenPrecision>::EdgeSum as EdgeSum>::CarryCorrection;
@@ -33,6 +33,13 @@ impl<S: ScreenPrecision> Edge<S> {
     pub(super) const EMPTY: Self = Self {
         sum: EdgeSum::ZERO,
         step: EdgeSum::ZERO,
+    };
+
+    /// The greatest column of the domain, counted from its first one: right of every row, and the last one that a sum has room
+    /// for.
+    const LAST_COLUMN: i32 = {
+        let (min, max) = pixel_domain::<S>();
+        max - min
     };
 
     /// The edge at a row that it crosses, from its top. `size` is from there to its bottom. An edge that crosses no row
@@ -76,17 +83,17 @@ impl<S: ScreenPrecision> Edge<S> {
         (edge, S::EdgeSum::carry_correction(height))
     }
 
-    /// An edge of at most [`SHORT`] units in 12.4 from its first row on: the same columns from steps of 1/2^18 pixel.
+    /// An edge of at most [`SHORT`] units in 12.4 from its first row on: the same columns from steps of 1/2^20 pixel.
     /// `x` is that of its top, `size` is from there to its bottom, `down` is how far its first row is below its top.
     ///
-    /// An exact position is a multiple of 1/(16 height). Position and slope are rounded down, so at the 31st row the
-    /// position is too small by less than 32/2^18, which is less than 1/(16 * 496): it never falls to or below the
+    /// An exact position is a multiple of 1/(16 height). Position and slope are rounded down, so at the 63rd row the
+    /// position is too small by less than 64/2^20, which is less than 1/(16 * 1008): it never falls to or below the
     /// next smaller multiple, and rounding it up gives the exact column.
     #[inline]
     pub(super) fn short(x: i32, size: Position, down: i32) -> Self {
         let Position { x: width, y: height } = size;
         let bits = S::EdgeSum::FRACTION_BITS;
-        // Widths are below 2^13. Rounded down, without a branch for negative ones: their complement is divided.
+        // Widths are below 2^11. Rounded down, without a branch for negative ones: their complement is divided.
         let rise = width << bits;
         let negative = width >> 31;
         // An edge without height crosses no row. A height of 16 bits, because that is not 0 by itself: otherwise the compiler
@@ -116,8 +123,10 @@ impl<S: ScreenPrecision> Edge<S> {
         } else {
             divide_long(-i64::from(size.x) * i64::from(down), size.y)
         };
+        // A sample left of the centre of its pixel sees the end of the domain one column farther right.
+        let column = row_after::<S>(top.x - left).min(Self::LAST_COLUMN);
         Self {
-            sum: EdgeSum::new(row_after::<S>(top.x - left), 0),
+            sum: EdgeSum::new(column, 0),
             step: EdgeSum::ZERO,
         }
     }
@@ -171,10 +180,10 @@ impl<S: ScreenPrecision> EdgePair<S> {
         [self.left.column(), self.right.column()]
     }
 
-    /// Twice the middle column of the span, and its step from row to row.
+    /// The middle of the span, and twice its step from row to row.
     #[inline]
     pub(super) fn middle(&self) -> [S::EdgeSum; 2] {
-        [self.left.plus(self.right), self.left_step.plus(self.right_step)]
+        [self.left.mean(self.right), self.left_step.plus(self.right_step)]
     }
 
     /// Steps to the next row, without what is added after a carry. What it makes of the row after the last one is not used,
@@ -268,12 +277,12 @@ mod tests {
     fn a_short_edge_has_the_exact_columns() {
         const { assert!(S4::MAY_BE_SHORT) };
         let widths = [
-            0, 1, 2, 3, 15, 16, 17, 241, 495, 496, 497, 1000, 3333, 4095, 4096, 7919, 8190, 8191,
+            0, 1, 2, 3, 15, 16, 17, 241, 495, 496, 497, 833, 1000, 1023, 1024, 1979, 2046, 2047,
         ];
         for height in 1..=SHORT {
             for (fraction, width) in (0..).zip(widths.into_iter().flat_map(|width| [width, -width])) {
                 let top = Position {
-                    x: 5 * fraction - 40 * height,
+                    x: 5 * fraction - 16 * height,
                     y: (7 * fraction + height) % 16 - 160,
                 };
                 let size = Position { x: width, y: height };
@@ -284,6 +293,21 @@ mod tests {
                     edge.sum = edge.sum.plus(edge.step);
                 }
             }
+        }
+    }
+
+    /// A corner at one end of the domain, in a row that begins at the other end, as samples half a pixel away see it.
+    #[test]
+    fn an_edge_of_a_sample_stays_right_of_every_row() {
+        let right = Position {
+            x: (1023 + 1024) * 16 + 8,
+            y: -100,
+        };
+        for (width, seen) in [(0, 2047), (-1, 2047), (-40, 2047), (-400, 2035)] {
+            let size = Position { x: width, y: 160 };
+            let edge = S4::in_row(right, size, -1);
+            assert_eq!(edge.sum.column(), seen, "{width}");
+            assert_eq!(seen, column(right, size, -1).min(2047), "{width}");
         }
     }
 
