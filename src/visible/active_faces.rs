@@ -365,15 +365,19 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         let mut current = self.first;
         while let Some(face) = self.slots.get_mut(usize::from(current)) {
             let [start, end] = face.next_span();
-            if start < end {
+            // As unsigned numbers first: where that holds, the span begins in the row.
+            let begins_inside = (start as usize) < end as usize;
+            if begins_inside || start < end {
                 if start < free_from {
                     return false;
                 }
                 free_from = end;
                 if H::Attributes::VARY {
                     shaded_row(faces, row).fill_span(face, [start, end]);
-                } else {
+                } else if begins_inside {
                     row.fill_span(start, end, face.word);
+                } else {
+                    row.fill_cut_span(start, end, face.word);
                 }
                 faces.count().filled(pixels_within(row.words.len(), start, end));
             }
@@ -417,8 +421,10 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             self.enter_begun(faces, first, row);
         }
         if Self::MAY_BE_DISJOINT && self.disjoint {
+            let mut near = NONE;
             for slot in 0..self.used {
-                self.put_in_order_of_columns(slot);
+                self.put_in_order_of_columns(slot, near);
+                near = slot;
             }
         }
     }
@@ -454,24 +460,31 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             without_plane: self.disjoint,
             sample: (),
         };
+        let mut near = NONE;
         while waiting != NONE {
             if let Some(begun) = self.begin(faces, waiting, &surroundings) {
                 if Self::MAY_BE_DISJOINT && in_order {
-                    self.put_in_order_of_columns(begun);
+                    self.put_in_order_of_columns(begun, near);
+                    near = begun;
                 }
             }
             waiting = faces.next(waiting);
         }
     }
 
-    /// Puts a face where it belongs in the order of columns.
+    /// Puts a face where it belongs in the order of columns: right of the face in the slot `near`, if that is no farther right,
+    /// as often the one before it in a mesh is.
     #[inline(never)]
-    fn put_in_order_of_columns(&mut self, begun: u16) {
+    fn put_in_order_of_columns(&mut self, begun: u16, near: u16) {
         let Some(middle) = self.slots.get(usize::from(begun)).map(ActiveFace::middle) else {
             return;
         };
-        let mut previous = NONE;
-        let mut current = self.first;
+        let (mut previous, mut current) = (NONE, self.first);
+        if let Some(face) = self.slots.get(usize::from(near)) {
+            if face.middle() <= middle {
+                (previous, current) = (near, face.next());
+            }
+        }
         while let Some(face) = self.slots.get(usize::from(current)) {
             if face.middle() > middle {
                 break;

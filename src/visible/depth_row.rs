@@ -201,7 +201,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     /// Fills the part of a span that is inside the row.
     #[cold]
     #[inline(never)]
-    fn fill_cut_span(&mut self, start: i32, end: i32, word: C::Word) {
+    pub(super) fn fill_cut_span(&mut self, start: i32, end: i32, word: C::Word) {
         let column = |x: i32| x.max(0) as usize;
         let (first, last) = (column(start), column(end).min(self.words.len()));
         if let Some(words) = self.words.get_mut(first..last) {
