@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    scene::{FaceSet, Model, Rotation},
+    scene::{FaceSet, Model, Rotation, Whole},
     shade::{
         DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Shading,
         Texels, Textured, TexturedSkin,
@@ -223,4 +223,13 @@ impl Subject for TexturedSquare {
 /// The teapot in one colour under a light, turning: up to 91 faces cross a row.
 pub type GouraudTeapot = Turning<GouraudPot, { TEAPOT.vertices().len() }, { TEAPOT.faces().len() }, 240, 320, 91>;
 /// The teapot with a texture under a light, turning: up to 91 faces cross a row.
-pub type TexturedTeapot = Turning<TexturedPot, { TEAPOT.vertices().len() }, { TEAPOT.faces().len() }, 240, 320, 91>;
+/// No face has to be cut, so that no vertex keeps its texture coordinates.
+pub type TexturedTeapot = Turning<
+    TexturedPot,
+    { TEAPOT.vertices().len() },
+    { TEAPOT.faces().len() },
+    240,
+    320,
+    91,
+    Whole<<TexturedPot as Subject>::Shading>,
+>;
