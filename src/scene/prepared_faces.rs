@@ -9,6 +9,7 @@ use crate::{
     band::{Band, Multisampled},
     coverage::{Coverage, SamplePattern},
     geometry::{SubPixel, Window, offset_from},
+    mesh::FaceSet,
     scene::{
         Look, Model,
         counters::Counting,
@@ -30,8 +31,12 @@ use crate::{
 /// A face of a frame with its colour, as the row loop takes it.
 type FaceOf<'a, L> = ColoredFace<'a, <L as Look>::Precision, <L as Look>::Depth, <L as Look>::Shading>;
 
-/// What a model has beside its mesh, and what is the same for all its vertices in the frame.
-type SkinOf<'m, L> = (<<L as Look>::Shading as Shading>::Skin<'m>, UniformsOf<L>);
+/// What a model has beside its mesh, what is the same for all its vertices in the frame, and its mesh.
+type SkinOf<'f, 'm, L> = (
+    <<L as Look>::Shading as Shading>::Skin<'m>,
+    UniformsOf<L>,
+    &'f FaceSet<'m>,
+);
 
 /// What is the same for all vertices of a model in a frame.
 type UniformsOf<L> = <<L as Look>::Shading as Shading>::Uniforms;
@@ -86,7 +91,7 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     pub(super) models: &'f [Model<'m, L::Shading>],
     /// The faces of the first model, its skin and its uniforms.
     pub(super) first_faces: &'f [[u16; 3]],
-    first_skin: Option<SkinOf<'m, L>>,
+    first_skin: Option<SkinOf<'f, 'm, L>>,
     pub(super) viewport: Window,
     pub(super) camera: Camera,
     /// The number of the first face of the model that was asked for last, and its uniforms.
@@ -112,7 +117,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
             first_faces,
             first_skin: first
                 .zip(uniforms.first)
-                .map(|(model, uniforms)| (*model.skin(), uniforms)),
+                .map(|(model, uniforms)| (*model.skin(), uniforms, model.mesh())),
             viewport: camera.viewport(),
             camera: *camera,
             last_uniforms: Cell::new(uniforms.last),
@@ -123,7 +128,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     /// What is known of the models, to go on with in the next rows.
     pub(super) fn frame_uniforms(&self) -> FrameUniforms<L> {
         FrameUniforms {
-            first: self.first_skin.as_ref().map(|(_, uniforms)| *uniforms),
+            first: self.first_skin.as_ref().map(|(_, uniforms, _)| *uniforms),
             last: self.last_uniforms.get(),
         }
     }
@@ -383,8 +388,8 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
     #[inline]
     fn face_of_first_model(&self, node: u16) -> Option<FaceOf<'_, L>> {
         let face = self.first_faces.get(usize::from(node))?;
-        let (skin, uniforms) = self.first_skin.as_ref()?;
-        let word = L::Shading::face(skin, uniforms, self.models.first()?.mesh(), usize::from(node))?;
+        let (skin, uniforms, mesh) = self.first_skin.as_ref()?;
+        let word = L::Shading::face(skin, uniforms, mesh, usize::from(node))?;
         let corners = outward::<L::Shading, _>(skin, corners(self.vertices, face)?);
         Some((clockwise::<L, _>(corners, corners), word))
     }
@@ -411,10 +416,10 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
             let none = || AttributesOf::<L>::ZERO;
             return Some([a?.attributes(none), b?.attributes(none), c?.attributes(none)]);
         }
-        let (first_vertex, model, skin, uniforms, face) = match self.first_faces.get(usize::from(node)) {
+        let (first_vertex, mesh, skin, uniforms, face) = match self.first_faces.get(usize::from(node)) {
             Some(face) => {
-                let (skin, uniforms) = self.first_skin.as_ref()?;
-                (0, self.models.first()?, skin, Some(*uniforms), face)
+                let (skin, uniforms, mesh) = self.first_skin.as_ref()?;
+                (0, *mesh, skin, Some(*uniforms), face)
             }
             None => {
                 let (model, first_vertex, face) = faces::find(self.models, node)?;
@@ -422,7 +427,7 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
                 let uniforms = || self.uniforms(model, u32::from(node) - face as u32);
                 (
                     first_vertex,
-                    model,
+                    model.mesh(),
                     model.skin(),
                     (!L::StoredAttributes::ARE_ALL).then(uniforms),
                     model.mesh().faces().get(face)?,
@@ -436,7 +441,7 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
             face
         };
         let all = |vertex: usize| {
-            let position = model.mesh().vertices().get(vertex).copied().unwrap_or_default();
+            let position = mesh.vertices().get(vertex).copied().unwrap_or_default();
             uniforms.as_ref().map_or(AttributesOf::<L>::ZERO, |uniforms| {
                 L::Shading::vertex(skin, uniforms, vertex, position.map(i32::from))
             })
@@ -454,7 +459,7 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
 
     fn skin(&self, node: u16) -> Option<&Self::Skin> {
         if usize::from(node) < self.first_faces.len() {
-            return self.first_skin.as_ref().map(|(skin, _)| skin);
+            return self.first_skin.as_ref().map(|(skin, ..)| skin);
         }
         faces::find(self.models, self.order(node)).map(|(model, ..)| model.skin())
     }

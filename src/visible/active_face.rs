@@ -142,17 +142,24 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     ) -> LeftOver {
         let corners = from_top([a, b, c]);
         let sides = Sides::of(corners, surroundings.first_column);
+        if Edge::<S>::MAY_BE_SHORT && !Self::are_short(&sides) {
+            return if surroundings.without_plane {
+                EDGES
+            } else {
+                PLANE | EDGES
+            };
+        }
         let mut left_over = NOTHING;
         if !surroundings.without_plane {
-            match DepthPlane::small(corners, &sides) {
+            match DepthPlane::small(corners, &sides, Edge::<S>::MAY_BE_SHORT) {
                 Some(plane) => self.plane = plane,
                 None => left_over = PLANE,
             }
         }
-        if !Edge::<S>::MAY_BE_SHORT {
+        if Edge::<S>::MAY_BE_SHORT {
+            self.set_up_short_edges(&sides);
+        } else {
             self.set_up_edges::<true>(&sides, row_after::<S>(sides.top.y));
-        } else if !self.set_up_short_edges(&sides) {
-            left_over |= EDGES;
         }
         left_over
     }
@@ -162,7 +169,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     pub(super) fn set_up_small_edges(&mut self, sides: &Sides) -> LeftOver {
         if !Edge::<S>::MAY_BE_SHORT {
             self.set_up_edges::<true>(sides, row_after::<S>(sides.top.y));
-        } else if !self.set_up_short_edges(sides) {
+        } else if Self::are_short(sides) {
+            self.set_up_short_edges(sides);
+        } else {
             return EDGES;
         }
         NOTHING
@@ -178,21 +187,24 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         let Surroundings {
             viewport, first_column, ..
         } = *surroundings;
+        let sides = Sides::of(corners, first_column);
         if left_over & PLANE != 0 {
-            self.plane = DepthPlane::wide(corners, viewport, first_column);
+            // Without short edges it was tried before.
+            let small = if Edge::<S>::MAY_BE_SHORT {
+                DepthPlane::small(corners, &sides, false)
+            } else {
+                None
+            };
+            self.plane = small.unwrap_or_else(|| DepthPlane::wide(corners, viewport, first_column));
         }
         if left_over & EDGES != 0 {
-            let sides = Sides::of(corners, first_column);
             self.set_up_long_edges(&sides, row_after::<S>(sides.top.y));
         }
     }
 
-    /// Sets up the edges as they are in the first row of the face, if they are short. `false` where they are not.
+    /// Sets up the edges as they are in the first row of the face, which are short.
     #[inline(always)]
-    fn set_up_short_edges(&mut self, sides: &Sides) -> bool {
-        if !Self::are_short(sides) {
-            return false;
-        }
+    fn set_up_short_edges(&mut self, sides: &Sides) {
         let Sides { top, right, left } = *sides;
         let down = PixelAfter::of::<S>(top).down;
         self.edges.set_left(Edge::short(top.x, left, down));
@@ -207,7 +219,6 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             // The edge above the middle crosses no row.
             self.end_short_edge(rows.middle);
         }
-        true
     }
 
     /// Sets up edges as they are in a row, not all of them short.

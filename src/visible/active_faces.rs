@@ -461,9 +461,15 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             sample: (),
         };
         let mut near = NONE;
-        while waiting != NONE {
-            if let Some(begun) = self.begin(faces, waiting, &surroundings) {
-                if Self::MAY_BE_DISJOINT && in_order {
+        loop {
+            let begun = match faces.face_of_first_model(waiting) {
+                Some(face) => self.begin_face(faces, waiting, face, &surroundings),
+                // No face has that number.
+                None if waiting == NONE => return,
+                None => self.begin_other_face(faces, waiting, &surroundings),
+            };
+            if Self::MAY_BE_DISJOINT && in_order {
+                if let Some(begun) = begun {
                     self.put_in_order_of_columns(begun, near);
                     near = begun;
                 }

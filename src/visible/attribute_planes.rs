@@ -128,7 +128,7 @@ where
         sides,
         depths,
         small: if S::FRACTION_BITS <= 4 {
-            SmallFace::new(&sides).and_then(|small| Some((small, small.reciprocal()?)))
+            SmallFace::new(&sides, false).and_then(|small| Some((small, small.reciprocal(false)?)))
         } else {
             None
         },

@@ -25,13 +25,14 @@ impl ScreenPlane {
     pub(super) fn small<S: ScreenPrecision, D: DepthWidth>(
         corners: [&ScreenVertex<S, D>; 3],
         sides: &Sides,
+        is_short: bool,
     ) -> Option<Self> {
         let is_small = S::FRACTION_BITS <= 4 && D::FRACTION_BITS == 16;
         if !is_small {
             return None;
         }
-        let face = SmallFace::new(sides)?;
-        Self::of_small_face(corners, sides, face, || face.reciprocal())
+        let face = SmallFace::new(sides, is_short)?;
+        Self::of_small_face(corners, sides, face, || face.reciprocal(is_short))
     }
 
     /// The plane through three corners of a small face; `None` where it is steep.
@@ -138,14 +139,16 @@ pub(super) struct AreaReciprocal {
 }
 
 impl SmallFace {
-    /// `None` for a face that is not small.
+    /// `None` for a face that is not small: one whose edges are short is.
     #[inline]
-    pub(super) fn new(sides: &Sides) -> Option<Self> {
+    pub(super) fn new(sides: &Sides, is_short: bool) -> Option<Self> {
         const LIMIT: i32 = 1 << 14;
         let Sides { right, left, .. } = *sides;
         let from_least = |difference: i32| (difference + LIMIT) as u32;
         // No corner is above the top one.
-        if (from_least(right.x) | from_least(left.x) | right.y as u32 | left.y as u32) >= 2 * LIMIT as u32 {
+        let is_small =
+            || (from_least(right.x) | from_least(left.x) | right.y as u32 | left.y as u32) < 2 * LIMIT as u32;
+        if !is_short && !is_small() {
             return None;
         }
         // Widths up to 2^14 and heights below 2^15.
@@ -153,10 +156,15 @@ impl SmallFace {
         Some(Self { right, left, area })
     }
 
-    /// The reciprocal of the area, right to 2^-28: one 32-bit division. `None` for a greater area.
+    /// The reciprocal of the area, right to 2^-28: one 32-bit division. `None` for a greater area, which a face with short edges
+    /// does not have.
     #[inline]
-    pub(super) fn reciprocal(&self) -> Option<AreaReciprocal> {
-        let shift = leading_zeros(self.area as u32).checked_sub(11)?;
+    pub(super) fn reciprocal(&self, is_short: bool) -> Option<AreaReciprocal> {
+        let zeros = leading_zeros(self.area as u32);
+        if !is_short && zeros < 11 {
+            return None;
+        }
+        let shift = zeros - 11;
         Some(AreaReciprocal {
             reciprocal: reciprocal_32(((self.area as u32) << 11) << (shift & 31)),
             shift,
@@ -379,7 +387,7 @@ mod tests {
             if right.x * left.y - left.x * right.y <= 0 {
                 continue;
             }
-            if let Some(small) = DepthPlane::small([a, b, c], &sides) {
+            if let Some(small) = DepthPlane::small([a, b, c], &sides, false) {
                 let wide = DepthPlane::wide([a, b, c], &viewport, 0);
                 let close =
                     |small: Wrapping<u32>, wide: Wrapping<u32>, most: i32| ((small - wide).0 as i32).abs() <= most;

@@ -201,7 +201,7 @@ fn set_up<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         set_up_attributes(face, faces, corners, surroundings, |_, _| NOTHING);
         return;
     }
-    face.plane = DepthPlane::small(from_top, &sides).unwrap_or_else(|| {
+    face.plane = DepthPlane::small(from_top, &sides, false).unwrap_or_else(|| {
         let sides = sample.see(Sides::of(from_top, 0));
         DepthPlane::wide_at(from_top, &sides, viewport, first_column)
     });
