@@ -188,7 +188,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             viewport, first_column, ..
         } = *surroundings;
         let sides = Sides::of(corners, first_column);
-        if left_over & PLANE != 0 {
+        // With attributes it is set up with their planes.
+        if !H::Attributes::VARY && left_over & PLANE != 0 {
             // Without short edges it was tried before.
             let small = if Edge::<S>::MAY_BE_SHORT {
                 DepthPlane::small(corners, &sides, false)
