@@ -305,25 +305,6 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     fn header(&self, node: u16) -> Option<&ScreenVertex<L::Precision, L::Depth>> {
         self.vertices.get(usize::from(node & !FRAGMENT))
     }
-
-    /// A face of another model, or a fragment.
-    #[cold]
-    #[inline(never)]
-    fn other_face(&self, node: u16) -> Option<FaceOf<'_, L>> {
-        let (model, first_vertex, face) = faces::find(self.models, self.order(node))?;
-        let uniforms = self.uniforms(model, u32::from(self.order(node)) - face as u32);
-        let word = L::Shading::face(model.skin(), &uniforms, model.mesh(), face)?;
-        let corners = if is_whole::<L>(node) {
-            let corners = corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?);
-            corners.map(|corners| {
-                let corners = outward::<L::Shading, _>(model.skin(), corners);
-                clockwise::<L, _>(corners, corners)
-            })
-        } else {
-            self.fragment(node)
-        };
-        Some((corners?, word))
-    }
 }
 
 impl<L: Look> PreparedFaces<'_, '_, L> {
@@ -394,9 +375,23 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         Some((clockwise::<L, _>(corners, corners), word))
     }
 
-    #[inline]
-    fn face(&self, node: u16) -> Option<FaceOf<'_, L>> {
-        self.face_of_first_model(node).or_else(|| self.other_face(node))
+    /// A face of another model, or a fragment.
+    #[cold]
+    #[inline(never)]
+    fn other_face(&self, node: u16) -> Option<FaceOf<'_, L>> {
+        let (model, first_vertex, face) = faces::find(self.models, self.order(node))?;
+        let uniforms = self.uniforms(model, u32::from(self.order(node)) - face as u32);
+        let word = L::Shading::face(model.skin(), &uniforms, model.mesh(), face)?;
+        let corners = if is_whole::<L>(node) {
+            let corners = corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?);
+            corners.map(|corners| {
+                let corners = outward::<L::Shading, _>(model.skin(), corners);
+                clockwise::<L, _>(corners, corners)
+            })
+        } else {
+            self.fragment(node)
+        };
+        Some((corners?, word))
     }
 
     type CornerAttributes<'c>

@@ -188,7 +188,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             viewport, first_column, ..
         } = *surroundings;
         let sides = Sides::of(corners, first_column);
-        // With attributes it is set up with their planes.
+        // With attributes, the plane of the depth is set up together with theirs.
         if !H::Attributes::VARY && left_over & PLANE != 0 {
             // Without short edges it was tried before.
             let small = if Edge::<S>::MAY_BE_SHORT {

@@ -462,12 +462,13 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         };
         let mut near = NONE;
         loop {
-            let begun = match faces.face_of_first_model(waiting) {
-                Some(face) => self.begin_face(faces, waiting, face, &surroundings),
+            let face = match faces.face_of_first_model(waiting) {
                 // No face has that number.
                 None if waiting == NONE => return,
-                None => self.begin_other_face(faces, waiting, &surroundings),
+                None => faces.other_face(waiting),
+                face => face,
             };
+            let begun = face.and_then(|face| self.begin_face(faces, waiting, face, &surroundings));
             if Self::MAY_BE_DISJOINT && in_order {
                 if let Some(begun) = begun {
                     self.put_in_order_of_columns(begun, near);
@@ -503,25 +504,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     }
 
     /// Sets a face up in a free slot, as it is in its first row.
-    // In the rows of frames that fit it has one caller: out of line it would take 1.5 % of the instructions of a torus and a
-    // cube.
     #[inline(always)]
     pub(super) fn begin<D: DepthWidth>(
-        &mut self,
-        faces: &impl FaceTable<S, D, H>,
-        node: u16,
-        surroundings: &Surroundings<'_>,
-    ) -> Option<u16> {
-        match faces.face_of_first_model(node) {
-            Some(face) => self.begin_face(faces, node, face, surroundings),
-            None => self.begin_other_face(faces, node, surroundings),
-        }
-    }
-
-    /// Sets up a face that has to be searched.
-    // Out of line, so that the corners of the others are handed over in registers.
-    #[inline(never)]
-    fn begin_other_face<D: DepthWidth>(
         &mut self,
         faces: &impl FaceTable<S, D, H>,
         node: u16,
@@ -531,6 +515,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.begin_face(faces, node, face, surroundings)
     }
 
+    /// Sets a face with these corners and this colour up in a free slot, as it is in its first row.
+    // In the rows of frames that fit it has one caller: out of line it would take 1.5 % of the instructions of a torus and a
+    // cube.
     #[inline(always)]
     fn begin_face<D: DepthWidth>(
         &mut self,

@@ -47,8 +47,13 @@ pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     fn order(&self, node: u16) -> u16;
     /// The face of a node, with its colour, where it is found without a search: that of the first model, if it was not cut.
     fn face_of_first_model(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>>;
+    /// The face of a node, with its colour, where it has to be searched.
+    fn other_face(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>>;
     /// The face of a node, with its colour; `None` where there is no such node.
-    fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>>;
+    #[inline]
+    fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>> {
+        self.face_of_first_model(node).or_else(|| self.other_face(node))
+    }
     /// The attributes of a corner, or where they are.
     type CornerAttributes<'c>: Copy + Borrow<H::Attributes>
     where
