@@ -5,7 +5,7 @@ use crate::{
     scene::{
         Frame, Look, Model, Prepared,
         frame::{RowStart, StoredOf, Tables},
-        silhouette_tables::{ColumnOf, FaceEdgesOf, SilhouetteTables},
+        silhouette_tables::{ColumnOf, FaceEdgesOf, RowTables, RowTablesOf, SilhouetteTables},
         stored_attributes::{Stored, StoredAttributes},
     },
     view::{Camera, DepthWidth, ScreenPrecision, ScreenVertex},
@@ -31,7 +31,7 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 /// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 48 an active face, and 48. What varies over
 /// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) (for texture coordinates none, where no
 /// face is cut) and 12 an active face; silhouettes that are [`Antialiased`](crate::scene::Antialiased) take 12 bytes a column,
-/// 4 a face and 4 a row. All zero bits when new, so that a `static` lies in `.bss`.
+/// 4 a face, 4 a row, and 896. All zero bits when new, so that a `static` lies in `.bss`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -69,7 +69,7 @@ pub struct Memory<
     next: [u16; FACES],
     rows: [RowStart; HEIGHT],
     depths: [L::Depth; WIDTH],
-    columns: [ColumnOf<L>; WIDTH],
+    edges_of_row: RowTablesOf<L, [ColumnOf<L>; WIDTH]>,
     edges_of_faces: [FaceEdgesOf<L>; FACES],
     edges_of_rows: [FaceEdgesOf<L>; HEIGHT],
     active: ActiveFaces<[SlotOf<L>; ACTIVE]>,
@@ -96,7 +96,10 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
             next: [0; FACES],
             rows: [RowStart::ZERO; HEIGHT],
             depths: [L::Depth::FARTHEST; WIDTH],
-            columns: [<ColumnOf<L> as Entry>::EMPTY; WIDTH],
+            edges_of_row: RowTables {
+                active: Entry::EMPTY,
+                columns: [<ColumnOf<L> as Entry>::EMPTY; WIDTH],
+            },
             edges_of_faces: [<FaceEdgesOf<L> as Entry>::EMPTY; FACES],
             edges_of_rows: [<FaceEdgesOf<L> as Entry>::EMPTY; HEIGHT],
             active: ActiveFaces::EMPTY,
@@ -114,7 +117,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
             },
             depths: &mut self.depths,
             silhouettes: SilhouetteTables {
-                columns: &mut self.columns,
+                row: &mut self.edges_of_row,
                 faces: &mut self.edges_of_faces,
                 rows: &mut self.edges_of_rows,
             },

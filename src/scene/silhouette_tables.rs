@@ -10,13 +10,26 @@ pub(super) type SilhouettesOf<L> = <L as Look>::Silhouettes;
 pub(super) type ColumnOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::Column<<L as Look>::Depth>;
 
 /// What a look keeps of a face: which of its edges are silhouettes, and the next face with some in the same row. Of a row the
-/// first such face. Nothing in looks without.
+/// first such face, and how many edges are active. Nothing in looks without.
 pub(super) type FaceEdgesOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::FaceEdges;
+
+/// What a look keeps of the row that is drawn. `C` are its columns, an array or a slice.
+// One reference to both, because in looks without silhouettes it is carried along, too.
+#[derive(Debug)]
+pub(super) struct RowTables<A, C: ?Sized> {
+    /// The edges that go on into the row that comes next, before others.
+    pub(super) active: A,
+    pub(super) columns: C,
+}
+
+/// What a look with so many columns keeps of the row that is drawn.
+pub(super) type RowTablesOf<L, C> =
+    RowTables<<SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::ActiveEdges<<L as Look>::Depth>, C>;
 
 /// The memory that silhouettes take: none in looks without.
 #[derive(Debug)]
 pub(super) struct SilhouetteTables<'m, L: Look> {
-    pub(super) columns: &'m mut [ColumnOf<L>],
+    pub(super) row: &'m mut RowTablesOf<L, [ColumnOf<L>]>,
     /// For each face its edges, and the next face of its row.
     pub(super) faces: &'m mut [FaceEdgesOf<L>],
     /// For each row the first face.
@@ -27,7 +40,7 @@ impl<L: Look> SilhouetteTables<'_, L> {
     /// The tables of silhouettes, borrowed once more for a shorter time.
     pub(super) const fn reborrow(&mut self) -> SilhouetteTables<'_, L> {
         SilhouetteTables {
-            columns: self.columns,
+            row: self.row,
             faces: self.faces,
             rows: self.rows,
         }

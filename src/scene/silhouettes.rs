@@ -1,14 +1,15 @@
 //! Which edges of a frame's faces are silhouettes, and in which row they begin.
 //!
 //! An edge between two faces that are seen is inside a surface; one that has a face that is seen on one side only is a
-//! silhouette. Faces with silhouettes lie in buckets by the first row that those touch, and move to the bucket of the next row
-//! with each row that is drawn.
+//! silhouette. Faces with silhouettes lie in buckets by the first row that those touch. In the row in which an edge begins it
+//! is set up and becomes active: from there on it goes on from row to row by itself. A face moves to the bucket of the next row
+//! as long as one of its edges has not begun, or found no room among the active ones.
 //!
 //! Guarantees: the silhouettes of the faces that are seen are closed, so that a sum over their edges is a whole number wherever
 //! none of them passes. That needs all faces that are seen, also those between the centres of pixels.
 //!
-//! Cost: a look at each face, and at its neighbours if it is seen, where drawing begins; then two links a row for each face
-//! with silhouettes.
+//! Cost: a look at each face, and at its neighbours if it is seen, where drawing begins; a division for each edge where it
+//! begins, and in each row with an edge for which there is no room.
 
 use crate::{
     geometry::{SubPixel, offset_from},
@@ -27,7 +28,7 @@ use crate::{
     shade::Shading,
     surface::{BandColor, Order},
     view::ScreenVertex,
-    visible::{DepthRow, EdgeRow, FaceEdges, NONE, Silhouettes},
+    visible::{ActiveEdge, DepthRow, EdgeRow, FaceEdges, NONE, Silhouettes},
 };
 
 /// The row of silhouettes of a look.
@@ -45,48 +46,76 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
     ) -> EdgeRowOf<'c, L> {
         let faces = SilhouettesOf::<L>::faces(tables.faces);
         let rows = SilhouettesOf::<L>::faces(tables.rows);
+        let active = SilhouettesOf::<L>::active(&mut tables.row.active);
         if !follows {
             self.find_silhouettes(faces);
             self.enter_silhouettes(faces, rows, row.y());
         }
-        let columns = SilhouettesOf::<L>::columns(tables.columns);
+        let columns = SilhouettesOf::<L>::columns(&mut tables.row.columns);
         let mut edges = EdgeRow::new(columns, row.words().len(), row.start());
         let index = offset_from(self.viewport.top, row.y()) as usize;
-        let mut node = rows.get(index).map_or(NONE, |row| row.next());
+        let Some((mut node, mut used)) = rows.get(index).map(|row| (row.next(), row.active())) else {
+            return edges;
+        };
         while let Some(face) = faces.get(usize::from(node)).copied() {
-            if self.add_edges(&mut edges, row, node, face) {
-                if let (Some(head), Some(face)) = (rows.get_mut(index + 1), faces.get_mut(usize::from(node))) {
-                    *face = face.with_next(head.next());
+            if let Some(face) = self.begin_edges(&mut edges, row, (node, face), (active, &mut used), follows) {
+                if let (Some(head), Some(entry)) = (rows.get_mut(index + 1), faces.get_mut(usize::from(node))) {
+                    *entry = face.with_next(head.next());
                     *head = head.with_next(node);
                 }
             }
             node = face.next();
         }
+        if let (1.., Some(active)) = (used, active.get_mut(..used)) {
+            let used = edges.add_active::<L::Precision>(row.words(), active, |node| self.corners_in_mesh(node));
+            if let Some(head) = rows.get_mut(index + 1) {
+                *head = head.with_active(used);
+            }
+        }
         edges
     }
 
-    /// Adds the silhouettes of a face to a row. Returns whether one of them goes on below it.
+    /// Makes the edges of a face active that begin in a row, also those that began above it where rows do not follow. Where
+    /// there is no room for them they are added to the row. Returns the face if some are left for the next row.
     #[inline(always)]
-    fn add_edges<O: Order>(
+    fn begin_edges<O: Order>(
         &self,
         edges: &mut EdgeRowOf<'_, L>,
         row: &DepthRow<'_, L::Color, O, L::Depth>,
-        node: u16,
-        face: FaceEdges,
-    ) -> bool {
-        let Some(mut corners) = self.corners_in_mesh(node) else {
-            return false;
-        };
-        let (mut goes_on, mut left) = (false, face.edges());
+        (node, mut face): (u16, FaceEdges),
+        (active, used): (&mut [ActiveEdge<L::Depth>], &mut usize),
+        follows: bool,
+    ) -> Option<FaceEdges> {
+        let mut corners = self.corners_in_mesh(node)?;
+        let [top, bottom] = edges.sides::<L::Precision>();
+        let (mut goes_on, mut left, mut number) = (false, face.edges(), 0);
         while left.has_any() {
             let [from, to, _] = corners;
-            if let (true, is_drawn) = left.first() {
-                goes_on |= edges.add::<L::Precision>(row.words(), node, [from, to], face.is_reversed(), is_drawn);
+            let (counts, is_drawn) = left.first();
+            let [first, last] = [from.y_units().min(to.y_units()), from.y_units().max(to.y_units())];
+            let begins = first >= top || !follows || left.is_left_out();
+            // A level edge on the boundary of two rows passes through no pixel.
+            if counts && first >= bottom {
+                goes_on = true;
+            } else if counts && begins && last > top {
+                let sides = [face.is_reversed(), is_drawn];
+                let edge = ActiveEdge::new::<L::Precision>([from, to], (node, number), sides, edges.left());
+                let entry = active.get_mut(*used);
+                let is_left_out = entry.is_none();
+                if let Some(entry) = entry {
+                    *entry = edge;
+                    *used += 1;
+                } else {
+                    edges.add_once::<L::Precision>(row.words(), &edge, |node| self.corners_in_mesh(node));
+                    goes_on |= last > bottom;
+                }
+                face = face.with_left_out(number, is_left_out);
             }
             corners.rotate_left(1);
             left = left.others();
+            number += 1;
         }
-        goes_on
+        goes_on.then_some(face)
     }
 
     /// The corners of a whole face in the order of its mesh.

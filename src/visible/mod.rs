@@ -26,6 +26,7 @@ mod row_in_passes;
 mod row_of_samples;
 mod shaded_span;
 mod sides;
+mod silhouette_edge;
 mod silhouette_pixels;
 mod silhouette_row;
 
@@ -35,4 +36,5 @@ pub(crate) use active_face::ActiveFace;
 pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse};
 pub(crate) use count::Count;
 pub(crate) use face_table::{ColoredFace, FaceTable, NONE};
+pub(crate) use silhouette_edge::ActiveEdge;
 pub(crate) use silhouette_row::{ByArea, EdgeRow, Entry, FaceEdges, RowEdges, Silhouettes};

@@ -26,6 +26,7 @@ use crate::{
     shade::{ChannelColor, Encoded},
     surface::{BandColor, LittleEndian, Order, PixelWord},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
+    visible::silhouette_edge::ActiveEdge,
 };
 
 // Not re-exported: how silhouettes are drawn is said by a wrapper of the look.
@@ -37,12 +38,17 @@ pub trait Silhouettes<C: BandColor>: Debug + 'static {
     type Column<D: DepthWidth>: Entry;
     /// What is kept of each face.
     type FaceEdges: Entry;
+    /// Room for edges that go on from row to row.
+    type ActiveEdges<D: DepthWidth>: Entry;
 
     /// What is kept of the columns, where silhouettes are drawn by area; else nothing.
     fn columns<D: DepthWidth>(columns: &mut [Self::Column<D>]) -> &mut [EdgeColumn<C::Word, D>];
 
     /// What is kept of faces, where silhouettes are drawn by area; else nothing.
     fn faces(faces: &mut [Self::FaceEdges]) -> &mut [FaceEdges];
+
+    /// The active edges, where silhouettes are drawn by area; else nothing.
+    fn active<D: DepthWidth>(edges: &mut Self::ActiveEdges<D>) -> &mut [ActiveEdge<D>];
 
     /// The word of a pixel of which a part is covered, in the machine's byte order.
     fn mix(fragment: C::Word, behind: C::Word, coverage: Coverage, position: Point) -> C::Word;
@@ -63,12 +69,17 @@ impl<C: BandColor> Silhouettes<C> for () {
     const BY_AREA: bool = false;
     type Column<D: DepthWidth> = ();
     type FaceEdges = ();
+    type ActiveEdges<D: DepthWidth> = ();
 
     fn columns<D: DepthWidth>(_: &mut [()]) -> &mut [EdgeColumn<C::Word, D>] {
         &mut []
     }
 
     fn faces(_: &mut [()]) -> &mut [FaceEdges] {
+        &mut []
+    }
+
+    fn active<D: DepthWidth>((): &mut ()) -> &mut [ActiveEdge<D>] {
         &mut []
     }
 
@@ -86,6 +97,7 @@ impl<C: ChannelColor> Silhouettes<C> for ByArea {
     const BY_AREA: bool = true;
     type Column<D: DepthWidth> = EdgeColumn<C::Word, D>;
     type FaceEdges = FaceEdges;
+    type ActiveEdges<D: DepthWidth> = [ActiveEdge<D>; ACTIVE_EDGES];
 
     fn columns<D: DepthWidth>(columns: &mut [EdgeColumn<C::Word, D>]) -> &mut [EdgeColumn<C::Word, D>] {
         columns
@@ -93,6 +105,10 @@ impl<C: ChannelColor> Silhouettes<C> for ByArea {
 
     fn faces(faces: &mut [FaceEdges]) -> &mut [FaceEdges] {
         faces
+    }
+
+    fn active<D: DepthWidth>(edges: &mut [ActiveEdge<D>; ACTIVE_EDGES]) -> &mut [ActiveEdge<D>] {
+        edges
     }
 
     fn mix(fragment: C::Word, behind: C::Word, coverage: Coverage, position: Point) -> C::Word {
@@ -118,6 +134,26 @@ pub struct EdgeColumn<W, D> {
     pub(super) behind: W,
 }
 
+impl<W: PixelWord, D: DepthWidth> EdgeColumn<W, D> {
+    /// Adds to what the number of surfaces has more than in the pixel before it.
+    #[inline(always)]
+    fn add(&mut self, change: Wrapping<i32>) {
+        self.change = (Wrapping(self.change) + change).0;
+    }
+
+    /// Notes that an edge of a face passes through the pixel, which has a word that nothing of the scene was drawn to.
+    #[inline(always)]
+    fn mark(&mut self, face: u16, depth: D, word: W) {
+        if self.face == 0 {
+            self.behind = word;
+        } else if self.depth > depth || (self.depth == depth && self.face <= face + 1) {
+            // Of equally near ones that of the first face, in whichever order they come.
+            return;
+        }
+        (self.face, self.depth) = (face + 1, depth);
+    }
+}
+
 impl<W: PixelWord, D: DepthWidth> Entry for EdgeColumn<W, D> {
     const EMPTY: Self = Self {
         change: 0,
@@ -127,8 +163,16 @@ impl<W: PixelWord, D: DepthWidth> Entry for EdgeColumn<W, D> {
     };
 }
 
+/// Edges of silhouettes that go on from row to row: where more of them cross a row, the others are set up in each row.
+const ACTIVE_EDGES: usize = 32;
+
+impl<D: DepthWidth> Entry for [ActiveEdge<D>; ACTIVE_EDGES] {
+    const EMPTY: Self = [ActiveEdge::EMPTY; ACTIVE_EDGES];
+}
+
 // Not re-exported.
-/// Which edges of a face are silhouettes, and the next face that has some in the same row.
+/// Which edges of a face are silhouettes, and the next face that has some in the same row; of a row the first such face, and
+/// how many edges are active in it.
 #[derive(Debug, Copy, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FaceEdges(u32);
@@ -145,6 +189,8 @@ impl FaceEdges {
     const FRONT: u32 = 1 << 22;
     const REVERSED: u32 = 1 << 23;
     const IS_CUT: u32 = 1 << 24;
+    const LEFT_OUT: u32 = 1 << 25;
+    const ALL_LEFT_OUT: u32 = 7 << 25;
 
     /// A face none of whose edges is known: seen in the order of its corners, the other way round, or not at all.
     pub(crate) fn seen(is_front: bool, is_reversed: bool) -> Self {
@@ -185,7 +231,26 @@ impl FaceEdges {
     /// The three edges of the face, and of each whether it is a silhouette or only counts in the number of surfaces.
     #[inline(always)]
     pub(crate) fn edges(self) -> EdgesLeft {
-        EdgesLeft(self.0 & (Self::ALL_COUNTED | Self::ALL_DRAWN))
+        EdgesLeft(self.0 & (Self::ALL_COUNTED | Self::ALL_DRAWN | Self::ALL_LEFT_OUT))
+    }
+
+    /// The face with its edge of that number left out of the active edges, or not.
+    #[inline]
+    #[must_use]
+    pub(crate) fn with_left_out(self, edge: u32, is_left_out: bool) -> Self {
+        let bit = Self::LEFT_OUT << edge;
+        Self(if is_left_out { self.0 | bit } else { self.0 & !bit })
+    }
+
+    /// How many edges are active in the row.
+    pub(crate) fn active(self) -> usize {
+        (self.0 >> 16) as usize
+    }
+
+    /// What is kept of a row, with so many active edges.
+    #[must_use]
+    pub(crate) fn with_active(self, count: usize) -> Self {
+        Self(self.0 & 0xffff | (count as u32) << 16)
     }
 
     /// The next face of the row, or [`NONE`].
@@ -216,6 +281,12 @@ impl EdgesLeft {
     #[inline(always)]
     pub(crate) fn first(self) -> (bool, bool) {
         (self.0 & FaceEdges::COUNTED != 0, self.0 & FaceEdges::DRAWN != 0)
+    }
+
+    /// Whether the first of the edges left began above the row, and was left out of the active edges.
+    #[inline(always)]
+    pub(crate) fn is_left_out(self) -> bool {
+        self.0 & FaceEdges::LEFT_OUT != 0
     }
 
     /// The edges left after the first of them.
@@ -265,13 +336,16 @@ impl Touched {
     fn add(&mut self, [first, last]: [i32; 2]) {
         self.is_empty = false;
         let [first, last] = [first, last].map(|column| column as usize >> self.shift);
-        let mut bits = u32::MAX >> (first % 32);
-        for word in first / 32..last / 32 {
-            self.set(word, bits);
-            bits = u32::MAX;
+        let (from_first, up_to_last) = (u32::MAX >> (first % 32), (i32::MIN >> (last % 32)) as u32);
+        if first / 32 == last / 32 {
+            self.set(last / 32, from_first & up_to_last);
+            return;
         }
-        let up_to_last = (i32::MIN >> (last % 32)) as u32;
-        self.set(last / 32, bits & up_to_last);
+        self.set(first / 32, from_first);
+        for word in first / 32 + 1..last / 32 {
+            self.set(word, u32::MAX);
+        }
+        self.set(last / 32, up_to_last);
     }
 
     #[inline(always)]
@@ -351,63 +425,154 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         self.touched.is_empty
     }
 
-    /// Adds an edge of a face, clockwise, or the other way round where it is reversed; `words` are the pixels of the row, which
-    /// nothing of the scene was drawn to yet. An edge that is not drawn counts in the number of surfaces alone. Returns whether
-    /// the edge goes on below the row.
+    /// The first column of the row in the picture.
+    #[inline]
+    pub(crate) fn left(&self) -> i32 {
+        self.left
+    }
+
+    /// y of the upper and of the lower side of the row.
     #[inline(always)]
-    pub(crate) fn add<S: ScreenPrecision>(
-        &mut self,
-        words: &[W],
-        face: u16,
-        [from, to]: [&ScreenVertex<S, D>; 2],
-        is_reversed: bool,
-        is_drawn: bool,
-    ) -> bool {
+    pub(crate) fn sides<S: ScreenPrecision>(&self) -> [i32; 2] {
         let one = 1 << S::FRACTION_BITS;
         let top = (self.y << S::FRACTION_BITS) - one / 2;
-        let goes_up = to.y_units() < from.y_units();
-        let [upper, lower] = if goes_up { [to, from] } else { [from, to] };
-        let (first, last) = (upper.y_units(), lower.y_units());
-        let [start, end] = [first.max(top), last.min(top + one)];
-        // A level edge on the boundary of two rows passes through no pixel.
-        if start < end || (first == last && top < first && first < top + one) {
-            let part = Part {
-                ends: self.ends::<S>([upper, lower], [start, end]),
-                height: (end - start) << (COVER_BITS - S::FRACTION_BITS),
-                sign: if goes_up == is_reversed { -1 } else { 1 },
-            };
-            if let Some(columns) = self.add_part(&part) {
-                if is_drawn {
-                    let depth = self.depth::<S>([upper, lower], [start, end], columns);
-                    self.mark(words, columns, face, depth);
+        [top, top + one]
+    }
+
+    /// Adds the active edges, and moves those together that go on below the row. Returns how many these are. `words` are the
+    /// pixels of the row, which nothing of the scene was drawn to yet. `corners` looks the corners of a face up, clockwise, or
+    /// the other way round where it is reversed.
+    #[inline(always)]
+    pub(crate) fn add_active<'v, S: ScreenPrecision>(
+        &mut self,
+        words: &[W],
+        edges: &mut [ActiveEdge<D>],
+        corners: impl Fn(u16) -> Option<[&'v ScreenVertex<S, D>; 3]>,
+    ) -> usize
+    where
+        D: 'v,
+    {
+        let [_, bottom] = self.sides::<S>();
+        let (mut index, mut used) = (0, edges.len());
+        while let Some(edge) = edges.get(index).filter(|_| index < used) {
+            self.add(words, edge, &corners);
+            if edge.last() > bottom {
+                index += 1;
+                continue;
+            }
+            // In any order: the last one comes next.
+            used -= 1;
+            if let Some((edges, [last, ..])) = edges.split_at_mut_checked(used) {
+                if let Some(ended) = edges.get_mut(index) {
+                    last.move_to(ended);
                 }
             }
         }
-        last > top + one
+        used
     }
 
-    /// The left and the right end of the part of an edge between two y, in 1/8192 pixel from the left side of the row.
-    #[inline]
-    fn ends<S: ScreenPrecision>(&self, [upper, lower]: [&ScreenVertex<S, D>; 2], [start, end]: [i32; 2]) -> [i32; 2] {
-        // The left side of a pixel is half a pixel left of its centre.
-        let left = self.left * X_ONE - X_ONE / 2;
-        let x = |vertex: &ScreenVertex<S, D>| (vertex.x_units() << (X_BITS - S::FRACTION_BITS)) - left;
-        let (y, size) = (upper.y_units(), lower.y_units() - upper.y_units());
-        let (mut x_start, mut x_end) = (x(upper), x(lower));
-        if start > y || end < y + size {
-            // Columns a row with as many bits as fit: times a part of the height it is at most the width, shifted as far.
-            let width = lower.x_units() - upper.x_units();
-            let shift = leading_zeros(width.unsigned_abs() | 1) - 2;
-            let (slope, _) = divide_floor_large(width << shift, size);
-            let at = |y_at: i32| x(upper) + ((slope * (y_at - y)) >> (shift + S::FRACTION_BITS - X_BITS));
-            if end < y + size {
-                x_end = at(end);
-            }
-            if start > y {
-                x_start = at(start);
-            }
+    /// Adds an edge for which there is no room among the active ones.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn add_once<'v, S: ScreenPrecision>(
+        &mut self,
+        words: &[W],
+        edge: &ActiveEdge<D>,
+        corners: impl Fn(u16) -> Option<[&'v ScreenVertex<S, D>; 3]>,
+    ) where
+        D: 'v,
+    {
+        self.add(words, edge, &corners);
+    }
+
+    /// Adds the part of an edge that lies in the row.
+    #[inline(always)]
+    fn add<'v, S: ScreenPrecision>(
+        &mut self,
+        words: &[W],
+        edge: &ActiveEdge<D>,
+        corners: &impl Fn(u16) -> Option<[&'v ScreenVertex<S, D>; 3]>,
+    ) where
+        D: 'v,
+    {
+        let rows @ [start, end] = edge.part(self.sides::<S>());
+        let part = Part {
+            ends: edge.ends(rows),
+            height: (end - start) << (COVER_BITS - S::FRACTION_BITS),
+            sign: edge.sign(),
+        };
+        if edge.is_long() || !self.add_narrow(words, edge, &part) {
+            self.add_any(words, edge, &part, rows, corners);
         }
-        [x_start.min(x_end), x_start.max(x_end)]
+    }
+
+    /// Adds the part of a short edge, if it passes through one column of the row or two. Otherwise returns `false`.
+    #[inline(always)]
+    fn add_narrow(&mut self, words: &[W], edge: &ActiveEdge<D>, part: &Part) -> bool {
+        let Part { ends, height, sign } = *part;
+        let [first, last] = ends.map(|x| x >> X_BITS);
+        // Left of the row that is a huge number.
+        let from = first as usize;
+        let (Some(columns), Some(words)) = (self.columns.get_mut(from..), words.get(from..)) else {
+            return false;
+        };
+        let sign = Wrapping(sign);
+        let (face, depth) = (edge.face(), edge.depth());
+        // One that ends at the boundary of two pixels passes through the left one alone.
+        let [_, right] = ends;
+        let marks_last = edge.is_drawn() && right & (X_ONE - 1) != 0;
+        match (last - first, columns, words) {
+            (0, [here, next, ..], [word, ..]) => {
+                let cell = Cell::within(ends, height);
+                here.add(sign * (cell.cover - cell.area));
+                next.add(sign * cell.area);
+                if marks_last {
+                    here.mark(face, depth, *word);
+                }
+            }
+            (1, [here, other, next, ..], [word, other_word, ..]) => {
+                let [left, right] = Cell::in_two(ends, height);
+                here.add(sign * (left.cover - left.area));
+                other.add(sign * (left.area + right.cover - right.area));
+                next.add(sign * right.area);
+                if edge.is_drawn() {
+                    here.mark(face, depth, *word);
+                }
+                if marks_last {
+                    other.mark(face, depth, *other_word);
+                }
+            }
+            _ => return false,
+        }
+        self.touched.add([first, last + 1]);
+        true
+    }
+
+    /// Adds the part of an edge between two y.
+    #[inline(never)]
+    fn add_any<'v, S: ScreenPrecision>(
+        &mut self,
+        words: &[W],
+        edge: &ActiveEdge<D>,
+        part: &Part,
+        rows: [i32; 2],
+        corners: &impl Fn(u16) -> Option<[&'v ScreenVertex<S, D>; 3]>,
+    ) where
+        D: 'v,
+    {
+        let Some(columns) = self.add_part(part).filter(|_| edge.is_drawn()) else {
+            return;
+        };
+        let mut depth = [edge.depth().units(), 0];
+        if edge.is_long() {
+            let Some(corners) = corners(edge.face()) else {
+                return;
+            };
+            let [from, to] = edge.corners_of(corners);
+            let ends = if edge.goes_up() { [to, from] } else { [from, to] };
+            depth = self.depth::<S>(ends, rows, columns);
+        }
+        self.mark(words, columns, edge.face(), depth);
     }
 
     /// Adds a part of an edge. Returns the first and the last column that it passes through, `None` where it passes through no
@@ -440,7 +605,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         let mut add = |cell: Cell| {
             let mut change = |column: i32, by: Wrapping<i32>| {
                 if let Some(column) = columns.get_mut(column as usize) {
-                    column.change = (Wrapping(column.change) + sign * by).0;
+                    column.add(sign * by);
                 }
             };
             change(cell.x, cell.cover - cell.area);
@@ -453,7 +618,8 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         }
     }
 
-    /// Notes that an edge of a face passes through the columns from the first to the last, and what is in them.
+    /// Notes that an edge of a face passes through the columns from the first to the last; the depth in the first of them, and
+    /// what it gains from column to column.
     #[inline]
     fn mark(&mut self, words: &[W], [first, last]: [i32; 2], face: u16, [mut depth, step]: [i32; 2]) {
         let columns = first as usize..last as usize + 1;
@@ -461,20 +627,13 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
             return;
         };
         for (edge, word) in columns.iter_mut().zip(words) {
-            let here = D::from_units(depth);
+            edge.mark(face, D::from_units(depth), *word);
             depth += step;
-            if edge.face == 0 {
-                edge.behind = *word;
-            } else if edge.depth > here || (edge.depth == here && edge.face <= face + 1) {
-                // Of equally near ones that of the first face, in whichever order they come.
-                continue;
-            }
-            (edge.face, edge.depth) = (face + 1, here);
         }
     }
 
-    /// The depth of an edge in the first of the columns that it passes through between two y, in units, and what it gains from
-    /// column to column: that of its middle, where it is short.
+    /// The depth of a long edge in the first of the columns that it passes through between two y, in units, and what it gains
+    /// from column to column.
     #[inline]
     fn depth<S: ScreenPrecision>(
         &self,
@@ -483,9 +642,6 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         [column, _]: [i32; 2],
     ) -> [i32; 2] {
         let (width, height) = (lower.x_units() - upper.x_units(), lower.y_units() - upper.y_units());
-        if height.max(width.abs()) <= SHORT << S::FRACTION_BITS {
-            return [(upper.z.units() + lower.z.units()) >> 1, 0];
-        }
         let change = lower.z.units() - upper.z.units();
         if height >= width.abs() {
             let part = ((start + end) >> 1) - upper.y_units();
@@ -499,9 +655,6 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         [left + step * (column + self.left - first), step]
     }
 }
-
-/// Pixels up to which an edge is short, in height and in width.
-const SHORT: i32 = 16;
 
 /// change * part / whole, rounded down, for a part of a whole that is at least 1.
 #[cold]

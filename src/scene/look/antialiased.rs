@@ -16,9 +16,9 @@ use crate::{scene::Look, shade::ChannelColor, visible::ByArea};
 /// [translucent](crate::shade::Translucent), have edges by the centres of pixels, as without this look. Where two silhouettes
 /// at different depths pass through the same pixel, they are taken for one.
 ///
-/// Memory beside that of `L`: 12 bytes a column, 4 a face and 4 a row. Cost: no row is drawn without depths; a look at each
-/// face a frame, some 300 instructions for each silhouette edge that a row touches, and a look at all faces of the row where it
-/// is over other ones.
+/// Memory beside that of `L`: 12 bytes a column, 4 a face, 4 a row, and 896. Cost: no row is drawn without depths; a look at
+/// each face a frame, some 300 instructions for each silhouette edge that a row touches (more where over 32 of them go on from
+/// one row to the next), and a look at all faces of the row where it is over other ones.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
