@@ -99,7 +99,7 @@ mod weights {
     pub(super) const CROSSING: [u32; 2] = [1_800, 720];
     pub(super) const BEGUN: [u32; 2] = [75, 48];
     /// A row and a column of a silhouette, and a face of the models.
-    pub(super) const EDGE: [[u32; 2]; 2] = [[1_250, 690], [590, 300]];
+    pub(super) const EDGE: [[u32; 2]; 2] = [[960, 590], [590, 300]];
     pub(super) const SILHOUETTE_FACE: [u32; 2] = [160, 80];
 }
 
