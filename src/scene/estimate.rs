@@ -82,9 +82,9 @@ mod weights {
     /// A byte of depths, which is cleared in rows that faces cross, in 1/16.
     pub(super) const DEPTH_BYTE: [u32; 2] = [7, 7];
     /// A face, a row of it and a pixel of it without depths, the last in 1/16.
-    pub(super) const DISJOINT: [[u32; 2]; 3] = [[736, 120], [80, 70], [16, 14]];
+    pub(super) const DISJOINT: [[u32; 2]; 3] = [[736, 250], [80, 43], [16, 7]];
     /// A face, a row of it and a pixel of it with depths, the last in 1/16.
-    pub(super) const WITH_DEPTHS: [[u32; 2]; 3] = [[660, 222], [100, 36], [168, 191]];
+    pub(super) const WITH_DEPTHS: [[u32; 2]; 3] = [[660, 233], [100, 51], [150, 97]];
     /// By how much less a pixel takes whose attributes vary, with depths, in a shading without holes.
     pub(super) const WITHOUT_HOLES: [u32; 2] = [11, 4];
     /// By how much more a face takes with depths of 32 bits, and with positions at 1/256 pixel, in 1/16.
@@ -96,10 +96,10 @@ mod weights {
     /// A row and a pixel of a translucent face, beside those of an opaque one.
     pub(super) const BLENDED: [[u32; 2]; 2] = [[370, 270], [142, 109]];
     /// A face that crosses a row in passes, and one that begins above it.
-    pub(super) const CROSSING: [u32; 2] = [1_800, 720];
+    pub(super) const CROSSING: [u32; 2] = [1_750, 510];
     pub(super) const BEGUN: [u32; 2] = [75, 48];
     /// A row and a column of a silhouette, and a face of the models.
-    pub(super) const EDGE: [[u32; 2]; 2] = [[960, 590], [590, 300]];
+    pub(super) const EDGE: [[u32; 2]; 2] = [[890, 590], [590, 300]];
     pub(super) const SILHOUETTE_FACE: [u32; 2] = [160, 80];
 }
 

@@ -29,9 +29,9 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 ///   [`Prepared::active_needed`] says with how many each row takes one pass.
 ///
 /// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 48 an active face, and 48. What varies over
-/// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) (for texture coordinates none, where no
-/// face is cut) and 12 an active face; silhouettes that are [`Antialiased`](crate::scene::Antialiased) take 12 bytes a column,
-/// 4 a face, 4 a row, and 896. All zero bits when new, so that a `static` lies in `.bss`.
+/// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) (none for texture coordinates, where
+/// no face is cut) and 12 an active face; silhouettes that are [`Antialiased`](crate::scene::Antialiased) take 12 bytes a
+/// column, 4 a face, 4 a row, and 896. All zero bits when new, so that a `static` lies in `.bss`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;

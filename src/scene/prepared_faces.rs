@@ -89,7 +89,7 @@ pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     next: &'f [u16],
     pub(super) rows: &'f [RowStart],
     pub(super) models: &'f [Model<'m, L::Shading>],
-    /// The faces of the first model, its skin and its uniforms.
+    /// The faces of the first model, and its skin with its uniforms and its mesh.
     pub(super) first_faces: &'f [[u16; 3]],
     first_skin: Option<SkinOf<'f, 'm, L>>,
     pub(super) viewport: Window,

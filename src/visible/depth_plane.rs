@@ -156,8 +156,8 @@ impl SmallFace {
         Some(Self { right, left, area })
     }
 
-    /// The reciprocal of the area, right to 2^-28: one 32-bit division. `None` for a greater area, which a face with short edges
-    /// does not have.
+    /// The reciprocal of the area, right to 2^-28: one 32-bit division. `None` for a greater area, which a face with short
+    /// edges does not have.
     #[inline]
     pub(super) fn reciprocal(&self, is_short: bool) -> Option<AreaReciprocal> {
         let zeros = leading_zeros(self.area as u32);

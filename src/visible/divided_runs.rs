@@ -62,7 +62,8 @@ impl<'f, A: Planes> DividedRuns<'f, A> {
         }
     }
 
-    /// Whether the next run is a whole one of [`WHOLE_RUN`] pixels that begins in this column, and not the last one of the span.
+    /// Whether the next run is a whole one of [`WHOLE_RUN`] pixels that begins in this column, and not the last one of the
+    /// span.
     #[inline(always)]
     pub(super) fn is_whole(&self, column: i32) -> bool {
         A::STEP == WHOLE_RUN

@@ -215,7 +215,7 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
     #[inline]
     fn instructions(set: InstructionSet) -> [u32; 2] {
         let [face, fragment] = H::instructions(set);
-        [face, fragment.saturating_add(set.of([29, 19]))]
+        [face, fragment.saturating_add(set.of([33, 22]))]
     }
 
     #[inline(always)]

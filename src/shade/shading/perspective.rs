@@ -119,8 +119,8 @@ impl<const N: usize, const STEP: i32> Planes for Perspective<N, STEP> {
             pixel: number * set.of([4, 2]),
             divided: [
                 set.of([900, 100]) + number * set.of([467, 50]),
-                set.of([167, 130]) + number * set.of([100, 45]),
-                parts * (set.of([3, 0]) + number * set.of([6, 1])),
+                set.of([167, 126]) + number * set.of([100, 45]),
+                parts * (set.of([2, 0]) + number * set.of([6, 1])),
             ],
         }
     }
