@@ -132,7 +132,10 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             self.first_column = row.left;
             self.enter(faces, row.y, may_be_disjoint);
         } else {
-            self.begin_row(faces, row.y, self.disjoint);
+            let first = faces.first_in_row(row.y);
+            if first != NONE {
+                self.begin_faces(faces, first, self.disjoint);
+            }
         }
         self.next_row = row.y + 1;
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
@@ -417,7 +420,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         }
         for earlier in faces.viewport().top..row + 1 {
             let first = self.used;
-            self.begin_row(faces, earlier, false);
+            self.begin_faces(faces, faces.first_in_row(earlier), false);
             self.enter_begun(faces, first, row);
         }
         if Self::MAY_BE_DISJOINT && self.disjoint {
@@ -447,13 +450,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.free = self.used;
     }
 
-    /// Sets up the faces that begin in a row, as they are in it, and puts them into the order of columns.
+    /// Sets up the faces that begin in a row, from the first of their nodes on, as they are in it, and puts them into the order
+    /// of columns.
     #[inline(never)]
-    pub(super) fn begin_row<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, row: i32, in_order: bool) {
-        let mut waiting = faces.first_in_row(row);
-        if waiting == NONE {
-            return;
-        }
+    pub(super) fn begin_faces<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, first: u16, in_order: bool) {
+        let mut waiting = first;
         let surroundings = Surroundings {
             viewport: faces.viewport(),
             first_column: self.first_column,
@@ -465,7 +466,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             let face = match faces.face_of_first_model(waiting) {
                 // No face has that number.
                 None if waiting == NONE => return,
-                None => faces.other_face(waiting),
+                // Taken apart, so that the corners of all other faces stay in registers.
+                None => faces.other_face(waiting).map(|([a, b, c], word)| ([a, b, c], word)),
                 face => face,
             };
             let begun = face.and_then(|face| self.begin_face(faces, waiting, face, &surroundings));

@@ -85,7 +85,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.next_row = if fits { row + 1 } else { i32::MIN };
         if follows && fits {
             self.passes.next = (row, NONE);
-            self.begin_row(faces, row, false);
+            self.begin_faces(faces, faces.first_in_row(row), false);
             self.close_gaps();
             return self.used > 0;
         }
