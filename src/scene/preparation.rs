@@ -87,10 +87,14 @@ pub(super) fn clockwise<L: Look, T>(corners: [&ScreenVertexOf<L>; 3], [a, b, c]:
 /// the one after the last.
 #[inline]
 pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) -> u16 {
+    let Some(start) = starts.get_mut(rows.0) else {
+        return NONE;
+    };
+    let previous = start.begin(node);
     if let Some(after) = starts.get_mut(rows.1) {
         after.end();
     }
-    starts.get_mut(rows.0).map_or(NONE, |start| start.begin(node))
+    previous
 }
 
 /// Whether the corners run clockwise on the screen, in exact arithmetic.

@@ -21,7 +21,7 @@ enum ThirdSide {
     Right,
 }
 
-/// The row after the last one of a face, whether it is translucent, and the side of its third edge: in one integer, because the
+/// The last row of a face, whether it is translucent, and the side of its third edge: in one integer, because the
 /// active faces take most of the memory of a scene.
 #[derive(Debug, Copy, Clone)]
 struct Bottom(i16);
@@ -29,10 +29,11 @@ struct Bottom(i16);
 impl Bottom {
     const ZERO: Self = Self(0);
 
+    /// That of a face which ends above a row.
     #[inline(always)]
-    fn new(row: i32, side: ThirdSide) -> Self {
+    fn above(row: i32, side: ThirdSide) -> Self {
         // Rows of the domain are below 2^13 in size.
-        Self((row << 2) as i16 | side as i16)
+        Self(((row << 2) + (side as i32 - (1 << 2))) as i16)
     }
 
     #[inline(always)]
@@ -52,8 +53,8 @@ impl Bottom {
     const TRANSLUCENT: i16 = 1 << 1;
 }
 
-/// Subtracted from the number of a face's next event row to mark that each of its rows is an event row: below the numbers
-/// of all rows, because those are below 2^13 in size.
+/// Subtracted from the number of the row before a face's next event row to mark that each of its rows is an event row: below
+/// the numbers of all rows, because those are below 2^13 in size.
 const EACH_ROW: i16 = 1 << 14;
 
 /// The word of a pixel with a shading.
@@ -72,10 +73,10 @@ pub(crate) struct ActiveFace<S: ScreenPrecision, H: Shading> {
     pub(super) plane: DepthPlane,
     /// The face's index in the table of faces.
     pub(super) node: u16,
-    /// The next event row, which needs more than a step of the edges: the row in which the third edge takes over, then the
-    /// one after the last row. With carry corrections each row is one: then this is less by [`EACH_ROW`], and so less than
-    /// any row.
-    event_row: i16,
+    /// The row before the next event row, which needs more than a step of the edges: the row before the third edge takes over,
+    /// then the last row. With carry corrections each row is an event row: then this is less by [`EACH_ROW`], and so less than
+    /// any row. The row before, because it is compared with a row that was just drawn.
+    row_before_event: i16,
     bottom: Bottom,
     pub(super) word: WordOf<H>,
     pub(super) attributes: PlanesOf<H>,
@@ -103,7 +104,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         carry_corrections: S::EdgeSum::NO_CARRY_CORRECTIONS,
         plane: DepthPlane::ZERO,
         node: 0,
-        event_row: 0,
+        row_before_event: 0,
         bottom: Bottom::ZERO,
         word: WordOf::<H>::ZERO,
         attributes: H::Attributes::NO_PLANES,
@@ -215,10 +216,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             let (middle, bottom) = rows.third_edge(sides);
             let corner = top.plus(middle);
             self.third = Edge::short(corner.x, bottom.minus(middle), PixelAfter::of::<S>(corner).down);
-        }
-        if rows.middle == row_after::<S>(top.y) {
-            // The edge above the middle crosses no row.
-            self.end_short_edge(rows.middle);
+            if rows.middle == row_after::<S>(top.y) {
+                // The edge above the middle crosses no row.
+                self.take_third_edge(rows.third_side);
+                self.row_before_event = (rows.bottom - 1) as i16;
+            }
         }
     }
 
@@ -241,13 +243,14 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         let rows = self.turn_at(sides);
         if rows.middle < rows.bottom {
             let (middle, bottom) = rows.third_edge(sides);
-            (self.third, _) = Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), row.max(rows.middle));
+            let first = row.max(rows.middle);
+            (self.third, _) = Edge::new::<IN_LINE>(top.plus(middle), bottom.minus(middle), first);
         }
         if row >= rows.middle {
-            self.end_long_edge(rows.middle);
+            self.end_long_edge(rows.middle - 1);
         }
         if Edge::<S>::MAY_BE_SHORT {
-            self.event_row -= EACH_ROW;
+            self.row_before_event -= EACH_ROW;
         }
     }
 
@@ -262,15 +265,15 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         self.plane.origin = Wrapping(next.into());
     }
 
-    /// The next free slot, once the face has ended: kept in `event_row`, because the depth plane may still be needed.
+    /// The next free slot, once the face has ended: kept in `row_before_event`, because the depth plane may still be needed.
     #[inline(always)]
     pub(super) fn next_free(&self) -> u16 {
-        self.event_row as u16
+        self.row_before_event as u16
     }
 
     #[inline(always)]
     pub(super) fn set_next_free(&mut self, next: u16) {
-        self.event_row = next as i16;
+        self.row_before_event = next as i16;
     }
 
     /// The middle of the face's span, and twice its step from row to row: these order disjoint spans by columns,
@@ -285,19 +288,19 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     fn turn_at(&mut self, sides: &Sides) -> EdgeRows {
         let rows = EdgeRows::of::<S>(sides);
         let is_translucent = self.is_translucent();
-        self.bottom = Bottom::new(rows.bottom, rows.third_side);
+        self.bottom = Bottom::above(rows.bottom, rows.third_side);
         if is_translucent {
             // Edges are set up once more where a face is entered below its first row.
             self.set_translucent(true);
         }
-        self.event_row = rows.middle as i16;
+        self.row_before_event = (rows.middle - 1) as i16;
         rows
     }
 
     /// Steps a face from its first row down to another row. Returns `false` where that is after its last row.
     #[inline(never)]
     pub(super) fn enter(&mut self, sides: &Sides, row: i32) -> bool {
-        if row >= self.bottom.row() {
+        if row > self.bottom.row() {
             return false;
         }
         let first = row_after::<S>(sides.top.y);
@@ -305,7 +308,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             // At most 62.
             for reached in first..row {
                 self.next_span();
-                self.begin_row_seldom(reached + 1);
+                self.leave_row_seldom(reached);
             }
         } else {
             self.set_up_long_edges(sides, row);
@@ -336,16 +339,16 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         self.edges.set_right(Edge::in_row(right_edge.0, right_edge.1, row));
     }
 
-    /// The row after the last one.
+    /// The last row.
     #[inline]
-    pub(super) fn row_after_last(&self) -> i32 {
+    pub(super) fn last_row(&self) -> i32 {
         self.bottom.row()
     }
 
-    /// Sets the row after the last one, of a face whose span is set up for each row.
+    /// Sets the last row, of a face whose span is set up for each row.
     #[inline]
-    pub(super) fn end_at(&mut self, row: i32) {
-        self.bottom = Bottom::new(row, ThirdSide::Right);
+    pub(super) fn end_after(&mut self, row: i32) {
+        self.bottom = Bottom::above(row + 1, ThirdSide::Right);
     }
 
     /// The columns of the face's span in the current row.
@@ -389,13 +392,13 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
             carry_corrections,
             plane,
             node,
-            event_row,
+            row_before_event,
             bottom,
             word,
             attributes,
         } = self;
         (other.edges, other.third, other.carry_corrections) = (*edges, *third, *carry_corrections);
-        (other.plane, other.node, other.event_row) = (*plane, *node, *event_row);
+        (other.plane, other.node, other.row_before_event) = (*plane, *node, *row_before_event);
         (other.bottom, other.word, other.attributes) = (*bottom, *word, *attributes);
     }
 
@@ -410,41 +413,44 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
         columns
     }
 
-    /// Completes the step of [`next_span`](Self::next_span) into a row that is an event row. Returns `false` where the
-    /// face has ended.
+    /// Completes the step of [`next_span`](Self::next_span) out of a row, if the one below it is an event row. Returns `false`
+    /// where the face has ended.
     #[inline(always)]
-    pub(super) fn begin_row(&mut self, row: i32) -> bool {
-        row < i32::from(self.event_row) || self.take_event(row)
+    pub(super) fn leave_row(&mut self, row: i32) -> bool {
+        row < i32::from(self.row_before_event) || self.take_event(row)
     }
 
-    /// [`begin_row`](Self::begin_row) for callers that seldom need it: a cold copy of its own, so that the frequent call
+    /// [`leave_row`](Self::leave_row) for callers that seldom need it: a cold copy of its own, so that the frequent call
     /// stays inlined.
     #[cold]
     #[inline(never)]
-    pub(super) fn begin_row_seldom(&mut self, row: i32) -> bool {
-        self.begin_row(row)
+    pub(super) fn leave_row_seldom(&mut self, row: i32) -> bool {
+        self.leave_row(row)
     }
 
-    /// Handles an event row: the end of an edge, or carry corrections. Returns `false` where the face has ended.
+    /// Handles the event row below a row: the end of an edge, or carry corrections. Returns `false` where the face has ended.
     #[inline(always)]
-    fn take_event(&mut self, next_row: i32) -> bool {
+    fn take_event(&mut self, row: i32) -> bool {
         if !Edge::<S>::MAY_BE_SHORT {
-            self.end_long_edge(next_row)
+            self.end_long_edge(row)
+        } else if row == self.bottom.row() {
+            // Most often so: asked first.
+            false
         } else if self.has_carry_corrections() {
-            self.take_event_with_carry_corrections(next_row)
+            self.take_event_with_carry_corrections(row)
         } else {
-            self.end_short_edge(next_row)
+            self.end_short_edge(row)
         }
     }
 
     #[inline(never)]
-    fn take_event_with_carry_corrections(&mut self, next_row: i32) -> bool {
+    fn take_event_with_carry_corrections(&mut self, row: i32) -> bool {
         self.edges.carry_correction(self.carry_corrections);
-        if next_row == i32::from(self.event_row + EACH_ROW) {
-            if !self.end_long_edge(next_row) {
+        if row == i32::from(self.row_before_event + EACH_ROW) {
+            if !self.end_long_edge(row) {
                 return false;
             }
-            self.event_row -= EACH_ROW;
+            self.row_before_event -= EACH_ROW;
         }
         true
     }
@@ -452,26 +458,32 @@ impl<S: ScreenPrecision, H: Shading> ActiveFace<S, H> {
     /// Whether the edges have carry corrections.
     #[inline(always)]
     fn has_carry_corrections(&self) -> bool {
-        Edge::<S>::MAY_BE_SHORT && self.event_row < -EACH_ROW / 2
+        Edge::<S>::MAY_BE_SHORT && self.row_before_event < -EACH_ROW / 2
     }
 
-    /// Exchanges an edge that ends in this row for the third one, without what it adds after a carry. `false` where the face
+    /// Exchanges an edge whose last row this is for the third one, without what it adds after a carry. `false` where the face
     /// has ended.
     #[inline(always)]
     fn end_short_edge(&mut self, row: i32) -> bool {
         if row == self.bottom.row() {
             return false;
         }
-        self.event_row = self.bottom.row() as i16;
-        if self.bottom.side() == ThirdSide::Left {
+        self.row_before_event = self.bottom.row() as i16;
+        self.take_third_edge(self.bottom.side());
+        true
+    }
+
+    /// Exchanges the edge on a side for the third one.
+    #[inline(always)]
+    fn take_third_edge(&mut self, side: ThirdSide) {
+        if side == ThirdSide::Left {
             self.edges.set_left(self.third);
         } else {
             self.edges.set_right(self.third);
         }
-        true
     }
 
-    /// Exchanges an edge that ends in this row for the third one, with its carry correction, which follows from those of
+    /// Exchanges an edge whose last row this is for the third one, with its carry correction, which follows from those of
     /// the left and the right edge: one of these is as high as the other one and the third together. `false` where the face
     /// has ended.
     #[inline(never)]

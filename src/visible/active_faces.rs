@@ -170,7 +170,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         if H::BLENDS {
             self.blend_row(faces, row);
         } else if F::ANTIALIASES {
-            self.take_all_down(row.y + 1);
+            self.take_all_down(row.y);
         }
     }
 
@@ -185,13 +185,13 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.slots.get(..usize::from(self.used)).unwrap_or_default()
     }
 
-    /// Takes all faces to the next row, and gives the slots of those free that have ended.
+    /// Takes all faces to the row below a row, and gives the slots of those free that have ended.
     #[inline(never)]
-    pub(super) fn take_all_down(&mut self, next_row: i32) {
+    pub(super) fn take_all_down(&mut self, row: i32) {
         let active = self.slots.get_mut(..usize::from(self.used)).unwrap_or_default();
         for (slot, face) in (0..).zip(active) {
             face.next_span();
-            if !face.begin_row(next_row) {
+            if !face.leave_row(row) {
                 face.set_next_free(self.free);
                 self.free = slot;
             }
@@ -227,6 +227,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     #[inline]
     pub(super) fn close_gaps(&mut self) {
         let end = self.used;
+        if self.free == end {
+            return;
+        }
         // Faces end in the order of slots, so the head of the free list is the last gap.
         while self.free != end {
             self.free = self.drop_last_into(self.free);
@@ -257,7 +260,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         O: Order,
         D: DepthWidth,
     {
-        let next_row = row.y + 1;
+        let y = row.y;
         // What the loop changes is in variables and not in `self`, which would take a register.
         let (used, mut free) = (self.used, self.free);
         let mut active = self.slots.get_mut(usize::from(first_slot)..usize::from(used))?;
@@ -286,7 +289,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 });
                 break;
             }
-            if !steps_at_end && !face.begin_row(next_row) {
+            if !steps_at_end && !face.leave_row(y) {
                 face.set_next_free(free);
                 free = index();
             }
@@ -346,7 +349,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 }
             });
         }
-        if !steps_at_end::<_, _, _, F>() && !face.begin_row_seldom(y + 1) {
+        if !steps_at_end::<_, _, _, F>() && !face.leave_row_seldom(y) {
             face.set_next_free(self.free);
             self.free = tie.index;
         }
@@ -362,7 +365,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         O: Order,
         D: DepthWidth,
     {
-        let next_row = row.y + 1;
+        let y = row.y;
         let mut free_from = i32::MIN;
         let mut previous = NONE;
         let mut current = self.first;
@@ -384,20 +387,20 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 }
                 faces.count().filled(pixels_within(row.words.len(), start, end));
             }
-            (previous, current) = self.take_down(next_row, previous, current);
+            (previous, current) = self.take_down(y, previous, current);
         }
         true
     }
 
-    /// Steps a face to the next row, or drops it if it has ended. Returns the slots of the face before the next one and
+    /// Steps a face to the row below a row, or drops it if it has ended. Returns the slots of the face before the next one and
     /// of the next one.
     #[inline]
-    fn take_down(&mut self, next_row: i32, previous: u16, current: u16) -> (u16, u16) {
+    fn take_down(&mut self, row: i32, previous: u16, current: u16) -> (u16, u16) {
         let Some(face) = self.slots.get_mut(usize::from(current)) else {
             return (previous, NONE);
         };
         let next = face.next();
-        if face.begin_row(next_row) {
+        if face.leave_row(row) {
             return (current, next);
         }
         face.set_next_free(self.free);

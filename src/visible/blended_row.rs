@@ -91,7 +91,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     ) {
         let active = self.slots.get_mut(..usize::from(self.used)).unwrap_or_default();
         blend_faces(faces, row, &|visit| active.iter().for_each(visit));
-        self.take_all_down(row.y + 1);
+        self.take_all_down(row.y);
     }
 }
 

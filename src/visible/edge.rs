@@ -217,6 +217,12 @@ pub(super) fn row_after<S: ScreenPrecision>(units: i32) -> i32 {
     (units + ((1 << S::FRACTION_BITS) - 1)) >> S::FRACTION_BITS
 }
 
+/// The last row whose pixel centres are above a coordinate in units.
+#[inline]
+pub(super) fn row_before<S: ScreenPrecision>(units: i32) -> i32 {
+    (units - 1) >> S::FRACTION_BITS
+}
+
 /// The first pixel whose centre is neither left of a position nor above it, and how far away that centre is in units.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(super) struct PixelAfter {

@@ -74,7 +74,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 for_each_crossing(faces, at, &is_translucent, visit)
             });
         } else if is_whole && edges.columns().is_some() {
-            self.take_all_down(row.y + 1);
+            self.take_all_down(row.y);
         }
     }
 

@@ -29,7 +29,7 @@ use crate::{
         blended_row::blend_faces,
         count::Count,
         depth_plane::DepthPlane,
-        edge::row_after,
+        edge::row_before,
         face_table::{FaceTable, NONE},
         shaded_span::{shaded_row, word_at},
         sides::{SamplePosition, Sides},
@@ -64,7 +64,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         while let Some(face) = self.slots.get_mut(usize::from(current)) {
             let (slot, next) = (current, face.next_free());
             current = next;
-            if face.row_after_last() > row {
+            if face.last_row() >= row {
                 previous = slot;
                 continue;
             }
@@ -89,8 +89,8 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         };
         let lowest = a.y_units().max(b.y_units()).max(c.y_units());
         // Samples are up to half a pixel above the centres.
-        let end = row_after::<S>(lowest + (1 << S::FRACTION_BITS) / 2).min(faces.viewport().bottom);
-        if end <= row {
+        let last = row_before::<S>(lowest + (1 << S::FRACTION_BITS) / 2).min(faces.viewport().bottom - 1);
+        if last < row {
             return;
         }
         let key = |node: u16| (faces.order(node), node);
@@ -113,7 +113,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             self.free = face.next_free();
         }
         (face.node, face.word) = (node, word);
-        face.end_at(end);
+        face.end_after(last);
         face.set_translucent(faces.is_translucent(node));
         face.set_next_free(next);
         self.link_after(previous, slot);
