@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    scene::{Antialiased, Deep, FaceSet, Fine, Model, OnePass, Whole},
+    scene::{Antialiased, Deep, FaceSet, Fine, Model, Multisampled, OnePass, Whole},
     shade::{
         Bilinear, Blinn, CutOut, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, LitTextured,
         LitTexturedSkin, PointLight, Texels, Textured, TexturedSkin, Translucent,
@@ -209,32 +209,34 @@ pub type Plain<S> = Whole<OnePass<ShadingOf<S>>>;
 /// How the faces of a subject get their colours.
 pub type ShadingOf<S> = <S as Subject>::Shading;
 
-/// Calls a macro with each effect: its name, what it is in a few words, the subject that has it, and the look.
+/// Calls a macro with each effect: its name, what it is in a few words, the subject that has it, whether it is drawn through a
+/// row of pixels (`Row`) or of their samples (`Samples`), and the look.
 ///
 /// The first one is none at all. Each one after it is that and one effect, and the last one has them all.
 #[macro_export]
 macro_rules! effects {
     ($visit:ident) => {
         $visit! {
-            nothing: "a colour a face, and nothing else", $crate::teapots::FlatPot, [$crate::effects::Plain];
-            cut_faces: "faces may be cut", $crate::teapots::FlatPot, [$crate::effects::MayBeCut];
-            passes: "rows may be drawn in passes", $crate::teapots::FlatPot, [$crate::effects::InPasses];
-            fine: "positions at 1/256 pixel", $crate::teapots::FlatPot, [$crate::effects::AtFinePositions];
-            deep: "depths of 32 bits", $crate::teapots::FlatPot, [$crate::effects::WithDeepDepths];
-            flat_light: "a light, one brightness a face", $crate::teapots::FlatLitPot, [$crate::effects::Plain];
-            gouraud: "a light, Gouraud shading", $crate::teapots::GouraudPot, [$crate::effects::Plain];
-            lamp: "a lamp nearby, Gouraud shading", $crate::effects::LampPot, [$crate::effects::Plain];
-            highlights: "a light with highlights, Gouraud shading", $crate::effects::GlazedPot, [$crate::effects::Plain];
-            texture: "a texture", $crate::effects::UnlitPot, [$crate::effects::Plain];
-            sixteen_colors: "a texture of 16 colours", $crate::effects::IndexedPot, [$crate::effects::Plain];
-            holes: "a texture of 16 colours, one a hole", $crate::effects::LacePot, [$crate::effects::Plain];
-            bilinear: "a texture, bilinear", $crate::effects::UnlitSmoothPot, [$crate::effects::Plain];
-            lit_texture: "a texture under a light", $crate::teapots::TexturedPot, [$crate::effects::Plain];
-            lit_bilinear: "a texture under a light, bilinear", $crate::effects::SmoothPot, [$crate::effects::Plain];
-            fog: "fog", $crate::effects::FoggyPot, [$crate::effects::Plain];
-            translucent: "translucent faces", $crate::effects::TranslucentPot, [$crate::effects::Plain];
-            silhouettes: "antialiased silhouettes", $crate::effects::SurfacePot, [$crate::effects::WithSilhouettes];
-            everything: "everything at once", $crate::effects::EverythingPot, [$crate::effects::WithEverything];
+            nothing: "a colour a face, and nothing else", $crate::teapots::FlatPot, through Row: [$crate::effects::Plain];
+            cut_faces: "faces may be cut", $crate::teapots::FlatPot, through Row: [$crate::effects::MayBeCut];
+            passes: "rows may be drawn in passes", $crate::teapots::FlatPot, through Row: [$crate::effects::InPasses];
+            fine: "positions at 1/256 pixel", $crate::teapots::FlatPot, through Row: [$crate::effects::AtFinePositions];
+            deep: "depths of 32 bits", $crate::teapots::FlatPot, through Row: [$crate::effects::WithDeepDepths];
+            flat_light: "a light, one brightness a face", $crate::teapots::FlatLitPot, through Row: [$crate::effects::Plain];
+            gouraud: "a light, Gouraud shading", $crate::teapots::GouraudPot, through Row: [$crate::effects::Plain];
+            lamp: "a lamp nearby, Gouraud shading", $crate::effects::LampPot, through Row: [$crate::effects::Plain];
+            highlights: "a light with highlights, Gouraud shading", $crate::effects::GlazedPot, through Row: [$crate::effects::Plain];
+            texture: "a texture", $crate::effects::UnlitPot, through Row: [$crate::effects::Plain];
+            sixteen_colors: "a texture of 16 colours", $crate::effects::IndexedPot, through Row: [$crate::effects::Plain];
+            holes: "a texture of 16 colours, one a hole", $crate::effects::LacePot, through Row: [$crate::effects::Plain];
+            bilinear: "a texture, bilinear", $crate::effects::UnlitSmoothPot, through Row: [$crate::effects::Plain];
+            lit_texture: "a texture under a light", $crate::teapots::TexturedPot, through Row: [$crate::effects::Plain];
+            lit_bilinear: "a texture under a light, bilinear", $crate::effects::SmoothPot, through Row: [$crate::effects::Plain];
+            fog: "fog", $crate::effects::FoggyPot, through Row: [$crate::effects::Plain];
+            translucent: "translucent faces", $crate::effects::TranslucentPot, through Row: [$crate::effects::Plain];
+            silhouettes: "antialiased silhouettes", $crate::effects::SurfacePot, through Row: [$crate::effects::WithSilhouettes];
+            multisampled: "four samples a pixel", $crate::teapots::FlatPot, through Samples: [$crate::effects::WithSamples];
+            everything: "everything at once", $crate::effects::EverythingPot, through Row: [$crate::effects::WithEverything];
         }
     };
 }
@@ -249,5 +251,7 @@ pub type AtFinePositions<S> = Fine<Plain<S>>;
 pub type WithDeepDepths<S> = Deep<Plain<S>>;
 /// The plainest look of a subject with antialiased silhouettes.
 pub type WithSilhouettes<S> = Antialiased<Plain<S>>;
-/// Whatever a look can have.
+/// The plainest look of a subject with four samples a pixel.
+pub type WithSamples<S> = Multisampled<Plain<S>>;
+/// Whatever a look can have, but for samples.
 pub type WithEverything<S> = Antialiased<Fine<Deep<ShadingOf<S>>>>;

@@ -13,7 +13,7 @@ pub struct Effect {
 }
 
 macro_rules! list {
-    ($($name:ident: $what:literal, $subject:ty, [$($look:tt)+];)+) => {
+    ($($name:ident: $what:literal, $subject:ty, through $target:ident: [$($look:tt)+];)+) => {
         /// All effects: none, each alone, and all at once.
         pub const EFFECTS: &[Effect] = &[$(Effect {
             name: concat!("effect.", stringify!($name)),

@@ -73,11 +73,19 @@ pub type BilinearTeapot = Stage<SmoothPot, LitTextured<Bilinear<Texels<Rgb565, 6
 /// The Utah teapot with antialiased silhouettes.
 pub type SilhouetteTeapot = Stage<SurfacePot, Antialiased<Rgb565>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with four samples a pixel.
-pub type MultisampledTeapot = InSamples<Stage<FlatPot, Multisampled<Rgb565>, 560, 992, 128, 240, 320>, 240>;
-/// The Utah teapot with an effect, in a look.
-pub type EffectTeapot<S, L> = Stage<S, L, 560, 992, 91, 240, 320>;
+pub type MultisampledTeapot = through::Samples<FlatPot, Multisampled<Rgb565>>;
 /// A square of up to 200 x 200 pixels with a texture in perspective.
 pub type TexturedQuad = Stage<TexturedSquare, Textured<Texels<Rgb565, 64, 64>>, 4, 2, 2, 240, 320>;
+
+/// The Utah teapot with an effect, in a look.
+pub mod through {
+    use super::{InSamples, Stage};
+
+    /// Through a row of pixels.
+    pub type Row<S, L> = Stage<S, L, 560, 992, 91, 240, 320>;
+    /// Through a row of samples, in which more faces are met than in one of pixels.
+    pub type Samples<S, L> = InSamples<Stage<S, L, 560, 992, 128, 240, 320>, 240>;
+}
 
 /// All memory that a scene takes, but for the stack: `V` vertices, `F` faces, `A` of them in a row, and the size of the
 /// picture.
@@ -309,6 +317,13 @@ where
         samples: [[0; Rooks::<4>::SAMPLES]; COLUMNS],
     };
 
+    /// Draws a frame: prepares it, clears and draws every row, and averages its samples.
+    pub fn draw(&mut self, frame: u32) {
+        self.rows(frame, |words| {
+            black_box(words);
+        });
+    }
+
     fn rows(&mut self, frame: u32, output: impl FnMut(&[u16])) {
         let Self { stage, samples } = self;
         let draw = |prepared: &mut Prepared<'_, '_, L>, band: &mut Band<'_, Rgb565>| {
@@ -347,10 +362,6 @@ pub fn count_samples<S, L, const V: usize, const F: usize, const A: usize, const
     L: Look<Color = Rgb565, Shading = S::Shading>,
 {
     if runner.wants(name) {
-        runner.count(name, "draw", stage, &EVERY_SECOND_FRAME, |stage, &frame| {
-            stage.rows(frame, |words| {
-                black_box(words);
-            });
-        });
+        runner.count(name, "draw", stage, &EVERY_SECOND_FRAME, |stage, &frame| stage.draw(frame));
     }
 }

@@ -3,14 +3,14 @@
 #![no_main]
 
 use cortex_m_rt::entry;
-use zrow_measure_firmware::{content, report, run::Canvas, stack, standard::EffectTeapot};
+use zrow_measure_firmware::{content, report, run::Canvas, stack, standard::through};
 
 /// The checksum of the effect that is named.
 macro_rules! checksum {
-    ($($name:ident: $what:literal, $subject:ty, [$($look:tt)+];)+) => {
+    ($($name:ident: $what:literal, $subject:ty, through $target:ident: [$($look:tt)+];)+) => {
         fn checksum() -> u32 {$(
             if const { content::is(concat!("effect.", stringify!($name))) } {
-                type Stage = EffectTeapot<$subject, $($look)+<$subject>>;
+                type Stage = through::$target<$subject, $($look)+<$subject>>;
                 let stage = cortex_m::singleton!(: Stage = Stage::EMPTY);
                 return stage.map_or(0, Canvas::checksum);
             }

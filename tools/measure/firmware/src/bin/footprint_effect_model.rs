@@ -10,7 +10,7 @@ use zrow_scenes::standard::Subject;
 
 /// Links the model of the effect that is named.
 macro_rules! hold {
-    ($($name:ident: $what:literal, $subject:ty, [$($look:tt)+];)+) => {
+    ($($name:ident: $what:literal, $subject:ty, through $target:ident: [$($look:tt)+];)+) => {
         fn hold() {$(
             if const { content::is(concat!("effect.", stringify!($name))) } {
                 black_box(<$subject as Subject>::model());
