@@ -84,7 +84,7 @@ mod weights {
     /// A face, a row of it and a pixel of it without depths, the last in 1/16.
     pub(super) const DISJOINT: [[u32; 2]; 3] = [[736, 250], [80, 43], [16, 7]];
     /// A face, a row of it and a pixel of it with depths, the last in 1/16.
-    pub(super) const WITH_DEPTHS: [[u32; 2]; 3] = [[660, 233], [100, 51], [150, 97]];
+    pub(super) const WITH_DEPTHS: [[u32; 2]; 3] = [[660, 222], [100, 47], [150, 97]];
     /// By how much less a pixel takes whose attributes vary, with depths, in a shading without holes.
     pub(super) const WITHOUT_HOLES: [u32; 2] = [11, 4];
     /// By how much more a face takes with depths of 32 bits, and with positions at 1/256 pixel, in 1/16.

@@ -259,8 +259,8 @@ impl<const N: usize> Planes for [i16; N] {
     fn instructions(set: InstructionSet) -> AttributeInstructions {
         let number = N as u32;
         AttributeInstructions {
-            face: number * set.of([207, 85]),
-            span: number * set.of([3, 9]),
+            face: number * set.of([207, 82]),
+            span: number * set.of([3, 8]),
             pixel: number * set.of([4, 2]),
             divided: [0; 3],
         }

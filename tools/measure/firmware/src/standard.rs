@@ -362,6 +362,8 @@ pub fn count_samples<S, L, const V: usize, const F: usize, const A: usize, const
     L: Look<Color = Rgb565, Shading = S::Shading>,
 {
     if runner.wants(name) {
-        runner.count(name, "draw", stage, &EVERY_SECOND_FRAME, |stage, &frame| stage.draw(frame));
+        runner.count(name, "draw", stage, &EVERY_SECOND_FRAME, |stage, &frame| {
+            stage.draw(frame)
+        });
     }
 }
