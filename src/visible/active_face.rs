@@ -29,7 +29,7 @@ struct Bottom(i16);
 impl Bottom {
     const ZERO: Self = Self(0);
 
-    /// That of a face which ends above a row.
+    /// The last row of a face which ends above a row, and the side of its third edge; the face is not translucent.
     #[inline(always)]
     fn above(row: i32, side: ThirdSide) -> Self {
         // Rows of the domain are below 2^13 in size.

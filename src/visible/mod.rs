@@ -20,6 +20,7 @@ mod depth_plane;
 mod depth_row;
 mod divided_runs;
 mod edge;
+mod face_edges;
 mod face_table;
 mod passes;
 mod row_in_passes;
@@ -29,12 +30,14 @@ mod sides;
 mod silhouette_edge;
 mod silhouette_pixels;
 mod silhouette_row;
+mod touched_columns;
 
 pub use depth_row::DepthRow;
 
 pub(crate) use active_face::ActiveFace;
 pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse};
 pub(crate) use count::Count;
+pub(crate) use face_edges::FaceEdges;
 pub(crate) use face_table::{ColoredFace, FaceTable, NONE};
 pub(crate) use silhouette_edge::ActiveEdge;
-pub(crate) use silhouette_row::{ByArea, EdgeRow, Entry, FaceEdges, RowEdges, Silhouettes};
+pub(crate) use silhouette_row::{ByArea, EdgeRow, Entry, RowEdges, Silhouettes};

@@ -24,7 +24,8 @@ pub struct ActiveEdge<D> {
     last: i32,
     /// Its face.
     face: u16,
-    /// How far a product with the slope is shifted down, and what the edge is.
+    /// Bits: by how much a product with the slope is shifted down, the number of the edge in its face, whether it goes up, is
+    /// added, is drawn, and is long.
     flags: u16,
     /// The depth of its middle.
     depth: D,

@@ -16,17 +16,17 @@
 //! Source: cells with cover and area (FreeType's smooth rasterizer, Turner 2000) of silhouette edges alone (Sander, Hoppe,
 //! Snyder and Gortler 2001, "Discontinuity edge overdraw").
 
-use core::{fmt::Debug, num::Wrapping, ops::Range};
+use core::{fmt::Debug, num::Wrapping};
 
 use embedded_graphics::geometry::Point;
 
 use crate::{
     coverage::{COVER_BITS, Cell, Coverage, X_BITS, X_ONE, for_each_visible_cell},
-    geometry::{divide_floor_large, divide_long, leading_zeros},
+    geometry::{divide_floor_large, divide_long},
     shade::{ChannelColor, Encoded},
     surface::{BandColor, LittleEndian, Order, PixelWord},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::silhouette_edge::ActiveEdge,
+    visible::{face_edges::FaceEdges, silhouette_edge::ActiveEdge, touched_columns::Touched},
 };
 
 // Not re-exported: how silhouettes are drawn is said by a wrapper of the look.
@@ -170,131 +170,8 @@ impl<D: DepthWidth> Entry for [ActiveEdge<D>; ACTIVE_EDGES] {
     const EMPTY: Self = [ActiveEdge::EMPTY; ACTIVE_EDGES];
 }
 
-// Not re-exported.
-/// Which edges of a face are silhouettes, and the next face that has some in the same row; of a row the first such face, and
-/// how many edges are active in it.
-#[derive(Debug, Copy, Clone)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct FaceEdges(u32);
-
 impl Entry for FaceEdges {
-    const EMPTY: Self = Self(0);
-}
-
-impl FaceEdges {
-    const DRAWN: u32 = 1 << 16;
-    const COUNTED: u32 = 1 << 19;
-    const ALL_COUNTED: u32 = 7 << 19;
-    const ALL_DRAWN: u32 = 7 << 16;
-    const FRONT: u32 = 1 << 22;
-    const REVERSED: u32 = 1 << 23;
-    const IS_CUT: u32 = 1 << 24;
-    const LEFT_OUT: u32 = 1 << 25;
-    const ALL_LEFT_OUT: u32 = 7 << 25;
-
-    /// A face none of whose edges is known: seen in the order of its corners, the other way round, or not at all.
-    pub(crate) fn seen(is_front: bool, is_reversed: bool) -> Self {
-        Self(if is_front { Self::FRONT } else { 0 } | if is_reversed { Self::REVERSED } else { 0 })
-    }
-
-    /// A face that a plane cuts.
-    pub(crate) const CUT: Self = Self(Self::IS_CUT);
-
-    /// Whether the face is seen.
-    pub(crate) fn is_seen(self) -> bool {
-        self.0 & (Self::FRONT | Self::REVERSED) != 0
-    }
-
-    /// Whether the corners of the face run counterclockwise on the screen.
-    pub(crate) fn is_reversed(self) -> bool {
-        self.0 & Self::REVERSED != 0
-    }
-
-    /// The face with what its edge of that number is, where another face is on its other side: in the same surface, no
-    /// silhouette; where that one is cut, it counts in the number of surfaces alone; else a silhouette.
-    pub(crate) fn with_neighbour(self, edge: u32, neighbour: Self) -> Self {
-        const SIDES: u32 = FaceEdges::FRONT | FaceEdges::REVERSED;
-        if neighbour.0 & Self::IS_CUT != 0 {
-            Self(self.0 | Self::COUNTED << edge)
-        } else if neighbour.0 & SIDES == self.0 & SIDES {
-            self
-        } else {
-            Self(self.0 | (Self::COUNTED | Self::DRAWN) << edge)
-        }
-    }
-
-    /// Whether the face has an edge that is a silhouette, or counts.
-    pub(crate) fn has_any(self) -> bool {
-        self.0 & Self::ALL_COUNTED != 0
-    }
-
-    /// The three edges of the face, and of each whether it is a silhouette or only counts in the number of surfaces.
-    #[inline(always)]
-    pub(crate) fn edges(self) -> EdgesLeft {
-        EdgesLeft(self.0 & (Self::ALL_COUNTED | Self::ALL_DRAWN | Self::ALL_LEFT_OUT))
-    }
-
-    /// The face with its edge of that number left out of the active edges, or not.
-    #[inline]
-    #[must_use]
-    pub(crate) fn with_left_out(self, edge: u32, is_left_out: bool) -> Self {
-        let bit = Self::LEFT_OUT << edge;
-        Self(if is_left_out { self.0 | bit } else { self.0 & !bit })
-    }
-
-    /// How many edges are active in the row.
-    pub(crate) fn active(self) -> usize {
-        (self.0 >> 16) as usize
-    }
-
-    /// What is kept of a row, with so many active edges.
-    #[must_use]
-    pub(crate) fn with_active(self, count: usize) -> Self {
-        Self(self.0 & 0xffff | (count as u32) << 16)
-    }
-
-    /// The next face of the row, or [`NONE`].
-    pub(crate) fn next(self) -> u16 {
-        self.0 as u16
-    }
-
-    /// What is kept of the face, with another next face of its row.
-    #[must_use]
-    pub(crate) fn with_next(self, next: u16) -> Self {
-        Self(self.0 & !0xffff | u32::from(next))
-    }
-}
-
-/// The edges of a face that a walk over them has not come to: the bits of [`FaceEdges`], moved down by one for each edge
-/// passed.
-#[derive(Debug, Copy, Clone)]
-pub(crate) struct EdgesLeft(u32);
-
-impl EdgesLeft {
-    /// Whether one of the edges left is a silhouette, or counts in the number of surfaces.
-    #[inline(always)]
-    pub(crate) fn has_any(self) -> bool {
-        self.0 & FaceEdges::ALL_COUNTED != 0
-    }
-
-    /// Of the first of the edges left: whether it counts in the number of surfaces, and whether it is a silhouette.
-    #[inline(always)]
-    pub(crate) fn first(self) -> (bool, bool) {
-        (self.0 & FaceEdges::COUNTED != 0, self.0 & FaceEdges::DRAWN != 0)
-    }
-
-    /// Whether the first of the edges left began above the row, and was left out of the active edges.
-    #[inline(always)]
-    pub(crate) fn is_left_out(self) -> bool {
-        self.0 & FaceEdges::LEFT_OUT != 0
-    }
-
-    /// The edges left after the first of them.
-    #[inline(always)]
-    #[must_use]
-    pub(crate) fn others(self) -> Self {
-        Self(self.0 >> 1)
-    }
+    const EMPTY: Self = Self::EMPTY;
 }
 
 /// The columns of a row, and those of them that silhouettes touch.
@@ -304,75 +181,6 @@ pub(crate) struct EdgeRow<'c, W, D> {
     /// The row in the picture, and its first column.
     y: i32,
     left: i32,
-}
-
-/// Which columns of a row are touched: a bit for each of them, the first one on top, or in a row of more than 256 a
-/// bit for each 2^`shift` of them.
-#[derive(Debug, Copy, Clone)]
-pub(super) struct Touched {
-    words: [u32; Self::WORDS],
-    shift: u32,
-    is_empty: bool,
-}
-
-impl Touched {
-    const WORDS: usize = 8;
-
-    /// No column of a row of so many.
-    fn none(width: usize) -> Self {
-        let mut shift = 0;
-        while width.saturating_sub(1) >> shift >= 32 * Self::WORDS {
-            shift += 1;
-        }
-        Self {
-            words: [0; Self::WORDS],
-            shift,
-            is_empty: true,
-        }
-    }
-
-    /// Adds the columns from the first to the last.
-    #[inline(always)]
-    fn add(&mut self, [first, last]: [i32; 2]) {
-        self.is_empty = false;
-        let [first, last] = [first, last].map(|column| column as usize >> self.shift);
-        let (from_first, up_to_last) = (u32::MAX >> (first % 32), (i32::MIN >> (last % 32)) as u32);
-        if first / 32 == last / 32 {
-            self.set(last / 32, from_first & up_to_last);
-            return;
-        }
-        self.set(first / 32, from_first);
-        for word in first / 32 + 1..last / 32 {
-            self.set(word, u32::MAX);
-        }
-        self.set(last / 32, up_to_last);
-    }
-
-    #[inline(always)]
-    fn set(&mut self, word: usize, bits: u32) {
-        if let Some(word) = self.words.get_mut(word) {
-            *word |= bits;
-        }
-    }
-
-    /// Hands over the touched columns from left to right, as ranges of columns side by side. Where a bit stands for more
-    /// than one column, a range also has untouched ones, and may go on past the end of the row.
-    #[inline(always)]
-    pub(super) fn for_each_run(&self, mut visit: impl FnMut(Range<usize>)) {
-        for (word, &bits) in (0..).zip(&self.words) {
-            let (mut bits, mut column) = (bits, 32 * word);
-            while bits != 0 {
-                let before = leading_zeros(bits);
-                bits <<= before;
-                // At most 31: of 32 columns the last one comes by itself.
-                let count = leading_zeros(!bits | 1);
-                bits <<= count;
-                let first = column + before as usize;
-                column = first + count as usize;
-                visit(first << self.shift..column << self.shift);
-            }
-        }
-    }
 }
 
 /// What a row that is drawn knows of the silhouettes in it: nothing (`()`), or their columns.
@@ -422,7 +230,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     /// Whether no silhouette passes through the row.
     #[inline(always)]
     pub(super) fn is_untouched(&self) -> bool {
-        self.touched.is_empty
+        self.touched.is_empty()
     }
 
     /// The first column of the row in the picture.
@@ -663,46 +471,5 @@ fn scaled(change: i32, part: i32, whole: i32) -> i32 {
     match change.checked_mul(part) {
         Some(product) => divide_floor_large(product, whole).0,
         None => divide_long(i64::from(change) * i64::from(part), whole).0,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::{collections::BTreeSet, vec::Vec};
-
-    use super::*;
-
-    /// Ranges of columns in rows of all widths, against a set of them.
-    #[test]
-    fn touched_columns_come_from_left_to_right() {
-        for width in [1, 31, 32, 33, 128, 255, 256, 257, 512, 513, 2_000, 8_191] {
-            let (mut touched, mut expected) = (Touched::none(width), BTreeSet::new());
-            assert!(touched.is_empty);
-            for step in 0..40_usize {
-                let first = step * step * 37 % width;
-                let last = (first + step % 7 * step).min(width - 1);
-                touched.add([first, last].map(|column| column as i32));
-                expected.extend(first..=last);
-                let mut visited = Vec::new();
-                touched.for_each_run(|columns| visited.extend(columns));
-                assert!(
-                    visited.is_sorted_by(|column, next| column < next),
-                    "{width}: {visited:?}"
-                );
-                if width <= 256 {
-                    assert!(visited.iter().eq(&expected), "{width}: {visited:?}, not {expected:?}");
-                }
-                // What is around a column, too, in a block of at most one 256th of the row, rounded up to a power of two.
-                let block = width.div_ceil(256).next_power_of_two();
-                let blocks = expected.iter().map(|column| column / block).collect::<BTreeSet<_>>();
-                assert!(
-                    visited.iter().all(|column| blocks.contains(&(column / block))),
-                    "{width}"
-                );
-                let visited = visited.into_iter().collect();
-                assert!(expected.is_subset(&visited), "{width}");
-            }
-            assert!(!touched.is_empty);
-        }
     }
 }
