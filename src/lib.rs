@@ -50,7 +50,7 @@ pub mod scene;
 pub mod shade;
 mod surface;
 mod view;
-mod visible;
+pub mod visible;
 
 /// The number formats of public signatures, such as `U24F8`, in the version that zrow takes.
 pub use fixed;

@@ -34,6 +34,8 @@ pub enum TooSmall {
     ContourVertices(usize),
     /// Items of a picture: a slice of slots.
     Items(usize),
+    /// Pixels of a [depth buffer](crate::visible::DepthBuffer).
+    Pixels(usize),
     /// Words of the pool that the items of a picture share: a slice.
     PictureWords(usize),
     /// Words of a band, or of each sample of its pixels: a slice.
@@ -67,6 +69,7 @@ impl TooSmall {
             | Self::WindowSides(needed)
             | Self::ContourVertices(needed)
             | Self::Items(needed)
+            | Self::Pixels(needed)
             | Self::PictureWords(needed)
             | Self::Words(needed)
             | Self::Sums(needed)
@@ -108,6 +111,7 @@ impl TooSmall {
             Self::WindowSides(_) => "window sides",
             Self::ContourVertices(_) => "contour vertices",
             Self::Items(_) => "item slots",
+            Self::Pixels(_) => "pixels",
             Self::PictureWords(_) => "picture words",
             Self::Words(_) => "words",
             Self::Sums(_) => "sums",

@@ -5,7 +5,7 @@ use core::{cell::Cell, ops::Range};
 use crate::{
     band::{Band, Multisampled},
     coverage::SamplePattern,
-    geometry::InputError,
+    geometry::{InputError, TooSmall},
     mesh::Edge,
     scene::{
         Counters, Frame, Look, Model,
@@ -17,10 +17,10 @@ use crate::{
         prepared_faces::{FrameUniforms, PreparedFaces, RowMemory},
         silhouette_tables::SilhouetteTables,
     },
-    shade::{ChannelColor, InstructionSet},
-    surface::Order,
+    shade::{ChannelColor, InstructionSet, Shading},
+    surface::{Order, Target},
     view::Camera,
-    visible::{DepthRow, DepthUse},
+    visible::{BandPainter, DepthRow, DepthUse, Silhouettes, Visibility},
 };
 
 /// A scene ready to be drawn, in the memory of a [`Frame`].
@@ -147,6 +147,57 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
     ) {
         self.draw_rows(band, DepthUse::Always, more);
+    }
+
+    /// Draws the rows of a band by another method than the depth row: the same picture, in other time and memory.
+    ///
+    /// A program that compares methods, or has a scene for which one is better, names it here; what is not named is not linked.
+    /// Looks with antialiased silhouettes, several samples a pixel, holes or translucent faces need the depth row: with them
+    /// this does not compile.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     scene::{Camera, FaceSet, Memory, Model},
+    ///     visible::DepthBuffer,
+    /// };
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let mut memory = Memory::<Rgb565, 3, 1, 64, 64>::new();
+    /// let mesh = FaceSet::new(&[[-512, -512, 512], [0, 512, 512], [512, -512, 512]], &[[0, 1, 2]])?;
+    /// let models = [Model::new(mesh, &[Rgb565::RED])?];
+    /// let mut scene = memory.prepare(&camera, &models)?;
+    ///
+    /// let (mut by_rows, mut by_buffer) = ([0; 64 * 64], [0; 64 * 64]);
+    /// scene.draw(&mut Band::<Rgb565>::new(area, &mut by_rows)?);
+    /// let mut method = DepthBuffer::<u16, { 64 * 64 }>::new();
+    /// scene.draw_by(&mut method, &mut Band::<Rgb565>::new(area, &mut by_buffer)?)?;
+    /// assert_eq!(by_rows, by_buffer);
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The method has too little memory: says how much would do. The band is as it was.
+    pub fn draw_by<O: Order>(
+        &mut self,
+        method: &mut impl Visibility<L::Depth>,
+        band: &mut Band<'_, L::Color, O>,
+    ) -> Result<(), TooSmall> {
+        const {
+            assert!(
+                !L::IS_MULTISAMPLED && !L::Silhouettes::BY_AREA && !L::Shading::HAS_HOLES && !L::Shading::BLENDS,
+                "only the depth row draws such looks"
+            )
+        }
+        let window = self.faces.viewport.intersection(&band.window());
+        if window.is_empty() {
+            return Ok(());
+        }
+        let mut painter = BandPainter::new(&self.faces, &window, band, self.depths);
+        method.draw(&self.faces, &window, &mut painter)
     }
 
     #[inline]

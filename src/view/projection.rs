@@ -9,9 +9,11 @@ use crate::{
     view::{Camera, DepthWidth, EyePoint, ScreenPrecision},
 };
 
+// Not re-exported.
 /// A vertex on the screen: position in units of the precision, and depth. 6 bytes with `Sub4` and `u16`.
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
-pub(crate) struct ScreenVertex<S: ScreenPrecision, D: DepthWidth> {
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ScreenVertex<S: ScreenPrecision, D: DepthWidth> {
     pub(crate) x: S::Units,
     pub(crate) y: S::Units,
     pub(crate) z: D,

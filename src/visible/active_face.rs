@@ -58,12 +58,14 @@ impl Bottom {
 const EACH_ROW: i16 = 1 << 14;
 
 /// The word of a pixel with a shading.
-pub(super) type WordOf<H> = <<H as Shading>::Color as BandColor>::Word;
+pub type WordOf<H> = <<H as Shading>::Color as BandColor>::Word;
 
 /// What an active face keeps of the attributes of a shading.
 type PlanesOf<H> = <<H as Shading>::Attributes as Planes>::Planes;
 
-pub(crate) struct ActiveFace<S: ScreenPrecision, H: Shading> {
+// Not re-exported.
+/// A face that crosses the row which is drawn.
+pub struct ActiveFace<S: ScreenPrecision, H: Shading> {
     edges: EdgePair<S>,
     /// The edge between the two lower corners.
     third: Edge<S>,
@@ -86,6 +88,13 @@ impl<S: ScreenPrecision, H: Shading> fmt::Debug for ActiveFace<S, H> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut debug = formatter.debug_struct("ActiveFace");
         debug.field("node", &self.node).finish_non_exhaustive()
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<S: ScreenPrecision, H: Shading> defmt::Format for ActiveFace<S, H> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "ActiveFace {}", self.node);
     }
 }
 

@@ -19,10 +19,11 @@ use crate::{
 pub(crate) const NONE: u16 = u16::MAX;
 
 /// The corners of a face, clockwise on the screen, and its colour.
-pub(crate) type ColoredFace<'t, S, D, H> = ([&'t ScreenVertex<S, D>; 3], WordOf<H>);
+pub type ColoredFace<'t, S, D, H> = ([&'t ScreenVertex<S, D>; 3], WordOf<H>);
 
+// Not re-exported.
 /// The faces of a prepared frame, by the row in which they begin. Entries of one row come in ascending order.
-pub(crate) trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
+pub trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     /// Whether rows with more faces than slots are drawn in passes.
     const DRAWS_IN_PASSES: bool;
     /// Whether what varies evenly in space does so on the screen: whether rays are parallel.

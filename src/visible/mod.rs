@@ -1,7 +1,12 @@
-//! Hidden surfaces: the row loop with the depth row.
+//! Hidden surfaces: which face is seen in each pixel, found by one of several methods that all draw the same picture.
 //!
-//! A depth buffer one row wide is enough, because every face that crosses a row is drawn while that row is: faces wait
-//! in a table by their first row, and an active list carries those that have begun.
+//! The default is the depth row, which [`Prepared::draw`](crate::scene::Prepared::draw) draws with: a depth buffer one row wide
+//! is enough, because every face that crosses a row is drawn while that row is. Faces wait in a table by their first row (the y
+//! table), and an active list carries those that have begun (Myers 1975).
+//!
+//! [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes another [`Visibility`]:
+//!
+//! - [`DepthBuffer`]: a depth and a face for each pixel (Catmull 1974). Where memory is plenty.
 
 // Why seldom taken functions are marked as cold in these files and in those of `scene`: without the marks, a frame of the torus
 // and cube takes 0.4 % more instructions on a Cortex-M3 and 1.6 % more on a Cortex-M0+, preparing it 1.5 % and 0.7 %. They cost
@@ -22,6 +27,8 @@ mod divided_runs;
 mod edge;
 mod face_edges;
 mod face_table;
+mod hidden_surfaces;
+mod painter;
 mod passes;
 mod row_in_passes;
 mod row_of_samples;
@@ -31,13 +38,17 @@ mod silhouette_edge;
 mod silhouette_pixels;
 mod silhouette_row;
 mod touched_columns;
+mod visibility;
 
-pub use depth_row::DepthRow;
+pub use hidden_surfaces::DepthBuffer;
+pub use visibility::Visibility;
 
 pub(crate) use active_face::ActiveFace;
 pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse};
 pub(crate) use count::Count;
+pub(crate) use depth_row::DepthRow;
 pub(crate) use face_edges::FaceEdges;
 pub(crate) use face_table::{ColoredFace, FaceTable, NONE};
+pub(crate) use painter::BandPainter;
 pub(crate) use silhouette_edge::ActiveEdge;
 pub(crate) use silhouette_row::{ByArea, EdgeRow, Entry, RowEdges, Silhouettes};

@@ -284,6 +284,31 @@ where
     }
 }
 
+impl<S, D, H, F, O> ShadedRow<'_, '_, S, D, H, F, O>
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+    O: Order,
+{
+    /// Fills pixels of a span of a face that lie in the row, from a column to another one, without depths.
+    pub(super) fn fill_seen(&mut self, face: &ActiveFace<S, H>, [mut column, end]: [i32; 2]) {
+        if are_even::<S, D, H, F>(face) {
+            self.fill_part(face, [column, column, end], None);
+            return;
+        }
+        let mut runs = DividedRuns::new::<S, D, H>(face, face.span(), [column, self.row.y], self.row.left);
+        self.faces.count().divisions(1);
+        while column < end {
+            let run = runs.next_run(column);
+            self.faces.count().divisions(1);
+            self.fill_part(face, [column, column, run.end.min(end)], Some(&run));
+            column = run.end;
+        }
+    }
+}
+
 /// The word of a pixel of a span of a face, in the machine's byte order; `None` for a hole. The span counts from the first
 /// column of the row, the pixel lies in the picture.
 #[cold]

@@ -1,6 +1,9 @@
 //! The sides of a face at its top corner, from which its edges and its depth plane are set up.
 
-use crate::view::{DepthWidth, Position, ScreenPrecision, ScreenVertex};
+use crate::{
+    view::{DepthWidth, Position, ScreenPrecision, ScreenVertex},
+    visible::edge::row_after,
+};
 
 /// The top corner, in columns of the row, and where the next one clockwise (right) and the last one (left) are from there.
 #[derive(Debug, Copy, Clone)]
@@ -26,6 +29,12 @@ impl Sides {
             right: right.minus(top),
             left: left.minus(top),
         }
+    }
+
+    /// The first row of the face.
+    #[inline]
+    pub(super) fn first_row<S: ScreenPrecision>(&self) -> i32 {
+        row_after::<S>(self.top.y)
     }
 }
 

@@ -48,4 +48,5 @@ mod sky;
 mod textures;
 mod translucent;
 mod unclipped_faces;
+mod visibility;
 mod wireframes;

@@ -1,0 +1,27 @@
+//! The signature of all methods that find out which face is seen in each pixel.
+
+use crate::{
+    geometry::{TooSmall, Window},
+    shade::Shading,
+    view::{DepthWidth, ScreenPrecision},
+    visible::{face_table::FaceTable, painter::Painter},
+};
+
+/// A method that finds out which face is seen in each pixel, for depths `D`: `u16`, or `u32` where a look is
+/// [`Deep`](crate::scene::Deep).
+///
+/// All methods draw the same picture, to the bit: in each pixel that face is seen which has the greatest stored depth there, of
+/// equally near ones the first in the order of models. They differ in memory, and in time.
+///
+/// [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes one. Its own methods take what only a prepared frame has.
+pub trait Visibility<D: DepthWidth> {
+    /// Finds the faces of a table that are seen in a window, which lies in the viewport and has pixels, and hands them over.
+    ///
+    /// # Errors
+    /// The method has too little memory: says how much would do. Nothing was handed over.
+    fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
+    where
+        S: ScreenPrecision,
+        H: Shading,
+        F: FaceTable<S, D, H>;
+}

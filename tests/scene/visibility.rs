@@ -1,0 +1,177 @@
+//! All methods of visibility draw the picture of the depth row, pixel for pixel, in bands of any size and order.
+//!
+//! Faces are coloured by their number, so that pictures say which face is seen in each pixel.
+
+use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
+use proptest::prelude::*;
+use zrow::{
+    band::Band,
+    geometry::{Sub4, Sub8, TooSmall},
+    scene::{Camera, DepthWidth, Look, Memory, Model, Prepared},
+    visible::{DepthBuffer, Visibility},
+};
+
+use crate::common::meshes::{self, Mesh};
+use crate::common::{cases, config, is_deep};
+use crate::depth_row::{faces, pose};
+use crate::numbered_scene::{Format, LookIn, Scene, area};
+use crate::snapped_faces::{camera, standard_pose};
+
+const WIDTH: u32 = 64;
+const HEIGHT: u32 = 48;
+const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+
+type MemoryOf<S, D> = Memory<LookIn<S, D>, 6_000, 1_000, { WIDTH as usize }, { HEIGHT as usize }, 200>;
+
+/// The colour behind all faces.
+const BEHIND: Rgb888 = Rgb888::new(0xff, 0xff, 0xff);
+
+/// The picture in bands of this size, from below or from above, each drawn by the closure.
+fn in_bands([width, height]: [u32; 2], upwards: bool, mut draw: impl FnMut(&mut Band<'_, Rgb888>)) -> Vec<u32> {
+    let mut drawn = vec![0; PIXELS];
+    let mut tops: Vec<u32> = (0..HEIGHT).step_by(height as usize).collect();
+    if upwards {
+        tops.reverse();
+    }
+    for top in tops {
+        for left in (0..WIDTH).step_by(width as usize) {
+            let size = Size::new(width.min(WIDTH - left), height.min(HEIGHT - top));
+            let part = Rectangle::new(Point::new(left as i32, top as i32), size);
+            let mut words = vec![BEHIND.into_storage(); (size.width * size.height) as usize];
+            draw(&mut Band::new(part, &mut words).unwrap());
+            for (point, word) in part.points().zip(words) {
+                drawn[point.y as usize * WIDTH as usize + point.x as usize] = word;
+            }
+        }
+    }
+    drawn
+}
+
+/// Compares the pictures of a method with that of the depth row.
+fn check<L: Look<Color = Rgb888, Shading = Rgb888>>(
+    prepared: &mut Prepared<'_, '_, L>,
+    expected: &[u32],
+    name: &str,
+    method: &mut impl Visibility<L::Depth>,
+) {
+    for (size, upwards) in [([WIDTH, HEIGHT], false), ([WIDTH, 1], false), ([23, 11], true)] {
+        let drawn = in_bands(size, upwards, |band| prepared.draw_by(method, band).unwrap());
+        let differing = drawn.iter().zip(expected).filter(|(drawn, expected)| drawn != expected);
+        assert_eq!(differing.count(), 0, "{name}, bands of {size:?}");
+    }
+}
+
+/// Draws models by all methods; returns how many pixels show a face.
+fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> usize {
+    let mut memory = Box::new(MemoryOf::<S, D>::new());
+    let mut prepared = memory.prepare(camera, models).unwrap();
+    let expected = in_bands([WIDTH, HEIGHT], false, |band| prepared.draw(band));
+    check(
+        &mut prepared,
+        &expected,
+        "depth buffer",
+        &mut DepthBuffer::<D, PIXELS>::new(),
+    );
+    expected.iter().filter(|word| **word != BEHIND.into_storage()).count()
+}
+
+/// Draws a mesh by all methods, with every precision and width of depths.
+fn check_formats(meshes: Vec<Mesh>, pose: zrow::scene::Pose) -> usize {
+    let (scene, camera) = (Scene::new(meshes), camera(area(WIDTH, HEIGHT)));
+    let models = scene.models(pose);
+    check_all::<Sub4, u32>(&models, &camera);
+    check_all::<Sub8, u16>(&models, &camera);
+    check_all::<Sub8, u32>(&models, &camera);
+    check_all::<Sub4, u16>(&models, &camera)
+}
+
+#[test]
+fn standard_scenes_by_all_methods() {
+    let frames = if is_deep() { 16 } else { 3 };
+    for frame in 0..frames {
+        let pose = standard_pose(frame * 5 + 1);
+        for meshes in [
+            vec![meshes::torus(), meshes::cube(0.5)],
+            vec![meshes::icosphere(1.4)],
+            vec![meshes::cube(1.0)],
+        ] {
+            assert!(check_formats(meshes, pose) > 250, "frame {frame}");
+        }
+    }
+}
+
+/// Faces on one plane: in each pixel that both cover they are as near, and the first one is seen.
+#[test]
+fn the_first_of_equally_near_faces_is_seen_by_all_methods() {
+    let back_to_back = Mesh::new(
+        vec![
+            [-600, -600, 0],
+            [-600, 600, 0],
+            [600, 600, 0],
+            [600, -600, 0],
+            [0, 500, 0],
+            [500, -300, 0],
+        ],
+        vec![[0, 4, 5], [0, 1, 2], [0, 2, 3], [1, 4, 3]],
+    );
+    for frame in 0..4 {
+        let meshes = vec![
+            back_to_back.clone().two_sided(),
+            meshes::cube(0.4),
+            back_to_back.clone(),
+        ];
+        assert!(check_formats(meshes, standard_pose(frame)) > 250);
+    }
+}
+
+/// A method that has too little memory says how much would do, and leaves the band alone; afterwards it is usable.
+#[test]
+fn too_little_memory_is_an_error_that_says_how_much_would_do() {
+    let (scene, camera) = (Scene::new(vec![meshes::cube(1.0)]), camera(area(WIDTH, HEIGHT)));
+    let models = scene.models(standard_pose(3));
+    let mut memory = Box::new(MemoryOf::<Sub4, u16>::new());
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
+    let mut buffer = DepthBuffer::<u16, 100>::new();
+    let mut words = [7; 64 * 2];
+    let size = |height| Rectangle::new(Point::new(0, 20), Size::new(64, height));
+    let mut band = Band::<Rgb888>::new(size(2), &mut words).unwrap();
+    assert_eq!(prepared.draw_by(&mut buffer, &mut band), Err(TooSmall::Pixels(128)));
+    assert_eq!(words, [7; 128]);
+    let mut band = Band::<Rgb888>::new(size(1), &mut words[..64]).unwrap();
+    assert_eq!(prepared.draw_by(&mut buffer, &mut band), Ok(()));
+    assert!(words[..64].iter().any(|word| *word != 7));
+}
+
+proptest! {
+    #![proptest_config(config(cases(12, 125)))]
+
+    /// Faces that go through each other, some of them hidden in cycles.
+    #[test]
+    fn interpenetrating_faces_by_all_methods(mesh in faces(700, 14), pose in pose(1300..2500)) {
+        check_formats(vec![mesh], pose);
+    }
+
+    /// Around the camera: cut by the near plane and the guard band.
+    #[test]
+    fn faces_around_the_camera_by_all_methods(mesh in faces(4000, 6), pose in pose(-500..800)) {
+        check_formats(vec![mesh], pose);
+    }
+
+    /// Small faces, slivers and those seen from the side.
+    #[test]
+    fn small_faces_by_all_methods(mesh in faces(90, 30), pose in pose(200..900)) {
+        check_formats(vec![mesh], pose);
+    }
+
+    /// Faces parallel to the screen, a unit of depth or none apart.
+    #[test]
+    fn layers_by_all_methods(
+        corners in prop::collection::vec(prop::array::uniform3((-700i16..700, -700i16..700)), 1..16),
+    ) {
+        let vertices = (0..).zip(&corners).flat_map(|(layer, face)| face.map(|(x, y)| [x, y, layer / 3]));
+        let vertices: Vec<_> = vertices.collect();
+        let faces = (0..corners.len() as u16).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
+        let pose = zrow::scene::Pose::new(zrow::scene::Rotation::IDENTITY, crate::snapped_faces::at(0, 0, 1400));
+        check_formats(vec![Mesh::new(vertices, faces).two_sided()], pose);
+    }
+}
