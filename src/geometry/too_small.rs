@@ -36,6 +36,10 @@ pub enum TooSmall {
     Items(usize),
     /// Pixels of a [depth buffer](crate::visible::DepthBuffer).
     Pixels(usize),
+    /// Tiles of a window ([`TileBins`](crate::visible::TileBins)).
+    Tiles(usize),
+    /// Faces in the lists of all tiles of a window.
+    TileFaces(usize),
     /// Words of the pool that the items of a picture share: a slice.
     PictureWords(usize),
     /// Words of a band, or of each sample of its pixels: a slice.
@@ -70,6 +74,8 @@ impl TooSmall {
             | Self::ContourVertices(needed)
             | Self::Items(needed)
             | Self::Pixels(needed)
+            | Self::Tiles(needed)
+            | Self::TileFaces(needed)
             | Self::PictureWords(needed)
             | Self::Words(needed)
             | Self::Sums(needed)
@@ -112,6 +118,8 @@ impl TooSmall {
             Self::ContourVertices(_) => "contour vertices",
             Self::Items(_) => "item slots",
             Self::Pixels(_) => "pixels",
+            Self::Tiles(_) => "tiles",
+            Self::TileFaces(_) => "faces in tiles",
             Self::PictureWords(_) => "picture words",
             Self::Words(_) => "words",
             Self::Sums(_) => "sums",

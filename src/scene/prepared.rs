@@ -2,6 +2,8 @@
 
 use core::{cell::Cell, ops::Range};
 
+use embedded_graphics::geometry::Point;
+
 use crate::{
     band::{Band, Multisampled},
     coverage::SamplePattern,
@@ -20,7 +22,7 @@ use crate::{
     shade::{ChannelColor, InstructionSet, Shading},
     surface::{Order, Target},
     view::Camera,
-    visible::{BandPainter, DepthRow, DepthUse, Silhouettes, Visibility},
+    visible::{BandPainter, DepthRow, DepthUse, Silhouettes, Visibility, face_at},
 };
 
 /// A scene ready to be drawn, in the memory of a [`Frame`].
@@ -198,6 +200,32 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         }
         let mut painter = BandPainter::new(&self.faces, &window, band, self.depths);
         method.draw(&self.faces, &window, &mut painter)
+    }
+
+    /// Which face is seen in a pixel, as where a finger touches the panel: its index in the order of models and faces. `None`
+    /// where none is, or outside the viewport. A face is also seen where it is translucent or has a hole.
+    ///
+    /// Cost: a look at each face that begins in the pixel's row or above it, and the depth of each that covers the pixel.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::scene::{Camera, FaceSet, Memory, Model};
+    ///
+    /// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+    /// let mut memory = Memory::<Rgb565, 6, 2, 64, 64>::new();
+    /// let near = FaceSet::new(&[[-512, -512, 512], [0, 512, 512], [512, -512, 512]], &[[0, 1, 2]])?;
+    /// let far = FaceSet::new(&[[-512, -512, 700], [-512, 512, 700], [512, 512, 700]], &[[0, 1, 2]])?;
+    /// let models = [Model::new(near, &[Rgb565::RED])?, Model::new(far, &[Rgb565::BLUE])?];
+    /// let scene = memory.prepare(&camera, &models)?;
+    /// assert_eq!(scene.face_at(Point::new(32, 32)), Some(0));
+    /// assert_eq!(scene.face_at(Point::new(12, 12)), Some(1));
+    /// assert_eq!(scene.face_at(Point::new(100, 4)), None);
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    pub fn face_at(&self, point: Point) -> Option<usize> {
+        let is_inside = self.faces.viewport.to_rectangle().contains(point);
+        is_inside.then(|| face_at(&self.faces, [point.x, point.y])).flatten()
     }
 
     #[inline]

@@ -49,4 +49,5 @@ mod textures;
 mod translucent;
 mod unclipped_faces;
 mod visibility;
+mod visibility_shading;
 mod wireframes;

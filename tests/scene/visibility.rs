@@ -7,15 +7,16 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{Sub4, Sub8, TooSmall},
+    scan::{FillRule, Location, Polygons},
     scene::{Camera, DepthWidth, Look, Memory, Model, Prepared},
-    visible::{DepthBuffer, Visibility},
+    visible::{DepthBuffer, OneDepth, RayCasting, TileBins, Visibility},
 };
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config, is_deep};
 use crate::depth_row::{faces, pose};
-use crate::numbered_scene::{Format, LookIn, Scene, area};
-use crate::snapped_faces::{camera, standard_pose};
+use crate::numbered_scene::{Format, LookIn, Scene, area, color_of};
+use crate::snapped_faces::{camera, snapped, standard_pose};
 
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 48;
@@ -25,6 +26,9 @@ type MemoryOf<S, D> = Memory<LookIn<S, D>, 6_000, 1_000, { WIDTH as usize }, { H
 
 /// The colour behind all faces.
 const BEHIND: Rgb888 = Rgb888::new(0xff, 0xff, 0xff);
+
+/// A test of where a point lies with respect to a polygon.
+type PointTest = fn(&[&[Point]], FillRule, &Point) -> Location;
 
 /// The picture in bands of this size, from below or from above, each drawn by the closure.
 fn in_bands([width, height]: [u32; 2], upwards: bool, mut draw: impl FnMut(&mut Band<'_, Rgb888>)) -> Vec<u32> {
@@ -54,11 +58,22 @@ fn check<L: Look<Color = Rgb888, Shading = Rgb888>>(
     name: &str,
     method: &mut impl Visibility<L::Depth>,
 ) {
-    for (size, upwards) in [([WIDTH, HEIGHT], false), ([WIDTH, 1], false), ([23, 11], true)] {
-        let drawn = in_bands(size, upwards, |band| prepared.draw_by(method, band).unwrap());
-        let differing = drawn.iter().zip(expected).filter(|(drawn, expected)| drawn != expected);
-        assert_eq!(differing.count(), 0, "{name}, bands of {size:?}");
+    for bands in [([WIDTH, HEIGHT], false), ([WIDTH, 1], false), ([23, 11], true)] {
+        check_in_bands(prepared, expected, name, method, bands);
     }
+}
+
+/// Compares the picture of a method with that of the depth row, in bands of one size, from below or from above.
+fn check_in_bands<L: Look<Color = Rgb888, Shading = Rgb888>>(
+    prepared: &mut Prepared<'_, '_, L>,
+    expected: &[u32],
+    name: &str,
+    method: &mut impl Visibility<L::Depth>,
+    (size, upwards): ([u32; 2], bool),
+) {
+    let drawn = in_bands(size, upwards, |band| prepared.draw_by(method, band).unwrap());
+    let differing = drawn.iter().zip(expected).filter(|(drawn, expected)| drawn != expected);
+    assert_eq!(differing.count(), 0, "{name}, bands of {size:?}");
 }
 
 /// Draws models by all methods; returns how many pixels show a face.
@@ -66,13 +81,38 @@ fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: 
     let mut memory = Box::new(MemoryOf::<S, D>::new());
     let mut prepared = memory.prepare(camera, models).unwrap();
     let expected = in_bands([WIDTH, HEIGHT], false, |band| prepared.draw(band));
+    let shown = expected.iter().filter(|word| **word != BEHIND.into_storage()).count();
     check(
         &mut prepared,
         &expected,
         "depth buffer",
         &mut DepthBuffer::<D, PIXELS>::new(),
     );
-    expected.iter().filter(|word| **word != BEHIND.into_storage()).count()
+    check(
+        &mut prepared,
+        &expected,
+        "tile bins",
+        &mut TileBins::<D, 12, 10_000>::new(),
+    );
+    let mut rays = RayCasting::<2_000>::new();
+    check(&mut prepared, &expected, "ray casting", &mut rays);
+    assert!(shown == 0 || rays.faces_tested() > 0);
+    for (point, word) in camera.viewport().to_rectangle().points().zip(&expected).step_by(7) {
+        let face = prepared.face_at(point);
+        assert_eq!(*word, face.map_or(BEHIND, color_of).into_storage(), "{point:?}");
+    }
+    let tests: [PointTest; 4] = [
+        Polygons::crossing_number,
+        Polygons::merged_crossings,
+        Polygons::winding_number,
+        Polygons::quadrant_arc_length,
+    ];
+    for test in tests {
+        let mut method = OneDepth::new(test);
+        check_in_bands(&mut prepared, &expected, "one depth", &mut method, ([23, 11], true));
+        assert!(shown == 0 || method.points_tested() > 0);
+    }
+    shown
 }
 
 /// Draws a mesh by all methods, with every precision and width of depths.
@@ -124,22 +164,85 @@ fn the_first_of_equally_near_faces_is_seen_by_all_methods() {
     }
 }
 
-/// A method that has too little memory says how much would do, and leaves the band alone; afterwards it is usable.
+/// A method that has too little memory says how much would do, and leaves the band alone.
+fn check_error(
+    prepared: &mut Prepared<'_, '_, Rgb888>,
+    method: &mut impl Visibility<u16>,
+    rows: u32,
+    error: Result<(), TooSmall>,
+) {
+    let mut words = [7; PIXELS];
+    let part = Rectangle::new(Point::new(0, 20), Size::new(WIDTH, rows));
+    let mut band = Band::<Rgb888>::new(part, &mut words[..(WIDTH * rows) as usize]).unwrap();
+    assert_eq!(prepared.draw_by(method, &mut band), error);
+    assert_eq!(words.iter().any(|word| *word != 7), error.is_ok());
+}
+
+/// How often the box of a face that is seen from the front meets a tile of 16 columns, in some rows of the picture.
+fn faces_in_tiles(prepared: &Prepared<'_, '_, Rgb888>, rows: std::ops::Range<i128>) -> usize {
+    let tiles = (0..WIDTH.into()).step_by(16).map(|left| left..left + 16);
+    let meets = |corners: [[i128; 3]; 3], axis: usize, pixels: &std::ops::Range<i128>| {
+        let pixel = corners.map(|corner| corner[axis].div_euclid(16));
+        pixel.iter().any(|pixel| *pixel >= pixels.start) && pixel.iter().any(|pixel| *pixel < pixels.end)
+    };
+    let is_front = |[a, b, c]: [[i128; 3]; 3]| (b[0] - a[0]) * (c[1] - a[1]) > (c[0] - a[0]) * (b[1] - a[1]);
+    let faces = snapped(prepared).into_iter().map(|face| face.corners);
+    faces
+        .filter(|corners| is_front(*corners) && meets(*corners, 1, &rows))
+        .map(|corners| tiles.clone().filter(|columns| meets(corners, 0, columns)).count())
+        .sum()
+}
+
 #[test]
 fn too_little_memory_is_an_error_that_says_how_much_would_do() {
     let (scene, camera) = (Scene::new(vec![meshes::cube(1.0)]), camera(area(WIDTH, HEIGHT)));
     let models = scene.models(standard_pose(3));
     let mut memory = Box::new(MemoryOf::<Sub4, u16>::new());
     let mut prepared = memory.prepare(&camera, &models).unwrap();
+
     let mut buffer = DepthBuffer::<u16, 100>::new();
-    let mut words = [7; 64 * 2];
-    let size = |height| Rectangle::new(Point::new(0, 20), Size::new(64, height));
-    let mut band = Band::<Rgb888>::new(size(2), &mut words).unwrap();
-    assert_eq!(prepared.draw_by(&mut buffer, &mut band), Err(TooSmall::Pixels(128)));
-    assert_eq!(words, [7; 128]);
-    let mut band = Band::<Rgb888>::new(size(1), &mut words[..64]).unwrap();
-    assert_eq!(prepared.draw_by(&mut buffer, &mut band), Ok(()));
-    assert!(words[..64].iter().any(|word| *word != 7));
+    check_error(&mut prepared, &mut buffer, 2, Err(TooSmall::Pixels(128)));
+    // Usable afterwards.
+    check_error(&mut prepared, &mut buffer, 1, Ok(()));
+
+    check_error(
+        &mut prepared,
+        &mut TileBins::<u16, 3, 0>::new(),
+        8,
+        Err(TooSmall::Tiles(4)),
+    );
+    let needed = faces_in_tiles(&prepared, 20..28);
+    assert_eq!(needed, 8);
+    let too_small = Err(TooSmall::TileFaces(needed));
+    check_error(&mut prepared, &mut TileBins::<u16, 4, 0>::new(), 8, too_small);
+    check_error(&mut prepared, &mut TileBins::<u16, 4, 7>::new(), 8, too_small);
+    check_error(&mut prepared, &mut TileBins::<u16, 4, 8>::new(), 8, Ok(()));
+
+    // All four faces that are seen begin above row 28.
+    check_error(&mut prepared, &mut RayCasting::<3>::new(), 8, Err(TooSmall::Faces(4)));
+    check_error(&mut prepared, &mut RayCasting::<4>::new(), 8, Ok(()));
+}
+
+/// A ray looks at few of many faces: in a picture of 1,000 small ones that lie beside each other and behind each other.
+#[test]
+fn a_ray_is_asked_about_few_faces() {
+    let (scene, camera) = (
+        Scene::new(vec![meshes::icosphere(1.4), meshes::torus()]),
+        camera(area(WIDTH, HEIGHT)),
+    );
+    let models = scene.models(standard_pose(7));
+    let mut memory = Box::new(MemoryOf::<Sub4, u16>::new());
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
+    let mut words = [0; PIXELS];
+    let mut rays = RayCasting::<1_000>::new();
+    prepared
+        .draw_by(
+            &mut rays,
+            &mut Band::<Rgb888>::new(area(WIDTH, HEIGHT), &mut words).unwrap(),
+        )
+        .unwrap();
+    let per_ray = f64::from(rays.faces_tested()) / PIXELS as f64;
+    assert!((0.5..12.0).contains(&per_ray), "{per_ray}");
 }
 
 proptest! {

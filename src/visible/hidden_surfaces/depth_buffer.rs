@@ -21,7 +21,7 @@ use crate::{
     visible::{
         active_face::ActiveFace,
         face_table::{FaceTable, NONE},
-        hidden_surfaces::placed::{face_from_row, for_each_node, paint_row},
+        hidden_surfaces::placed::{face_from_row, for_each_node, keep_nearer, paint_nodes},
         painter::Painter,
         visibility::Visibility,
     },
@@ -77,7 +77,7 @@ impl<D: DepthWidth, const PIXELS: usize> Visibility<D> for DepthBuffer<D, PIXELS
             }
         });
         for (row, nodes) in (window.top..).zip(nodes.chunks(width.max(1))) {
-            paint_row(painter, faces, [window.left, row], nodes);
+            paint_nodes(painter, faces, [window.left, row], 0, nodes);
         }
         Ok(())
     }
@@ -119,17 +119,8 @@ impl<D: DepthWidth> Buffer<'_, D> {
         let [start, end] = span.map(|column| column.clamp(0, width));
         let first = (row - self.window.top) as usize * width as usize;
         let pixels = first + start as usize..first + end as usize;
-        let (Some(depths), Some(nodes)) = (self.depths.get_mut(pixels.clone()), self.nodes.get_mut(pixels)) else {
-            return;
-        };
-        let mut depth = face.plane.at(start, row);
-        for (stored, node) in depths.iter_mut().zip(nodes) {
-            let candidate = D::from_interpolated(depth.0);
-            // Most often farther or nearer: the order of faces is seldom asked for.
-            if candidate > *stored || (candidate == *stored && faces.order(face.node) < faces.order(*node)) {
-                (*stored, *node) = (candidate, face.node);
-            }
-            depth += face.plane.per_column;
+        if let (Some(depths), Some(nodes)) = (self.depths.get_mut(pixels.clone()), self.nodes.get_mut(pixels)) {
+            keep_nearer(faces, face, [start, row], (depths, nodes));
         }
     }
 }

@@ -1,6 +1,15 @@
 //! The methods that find out which face is seen in each pixel, one file each.
 
 mod depth_buffer;
+mod one_depth;
+mod picking;
 mod placed;
+mod ray_casting;
+mod tile_bins;
 
 pub use depth_buffer::DepthBuffer;
+pub use one_depth::OneDepth;
+pub use ray_casting::RayCasting;
+pub use tile_bins::TileBins;
+
+pub(crate) use picking::face_at;

@@ -1,5 +1,7 @@
 //! The faces of a table as they are in a row or in a window, for methods that keep no list of active faces.
 
+use core::ops::Range;
+
 use crate::{
     geometry::Window,
     shade::Shading,
@@ -8,7 +10,7 @@ use crate::{
         active_face::ActiveFace,
         face_table::{FaceTable, NONE, corners_from_top},
         painter::Painter,
-        passes::{face_in_first_row, surroundings},
+        passes::{Passes, face_in_first_row, surroundings},
         sides::Sides,
     },
 };
@@ -44,21 +46,114 @@ pub(super) fn face_from_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     face.enter(&sides, row).then_some((face, row))
 }
 
-/// Hands over the pixels of a row, in runs of the same face: of each pixel the node of its face, or [`NONE`].
+/// Whether a depth of a face hides that of another one: it is nearer, or as near and that of the first face in the order of
+/// models.
+#[inline]
+pub(super) fn is_nearer<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    (depth, node): (D, u16),
+    (other_depth, other): (D, u16),
+) -> bool {
+    // Most often nearer or farther: the order of faces is seldom asked for.
+    depth > other_depth || (depth == other_depth && faces.order(node) < faces.order(other))
+}
+
+/// Keeps of some pixels of a row that a face covers its depth and its node where it is seen, given the column of the first one,
+/// the row, and the depths and the nodes that are there.
+pub(super) fn keep_nearer<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    face: &ActiveFace<S, H>,
+    [column, row]: [i32; 2],
+    (depths, nodes): (&mut [D], &mut [u16]),
+) {
+    let mut depth = face.plane.at(column, row);
+    for (stored, node) in depths.iter_mut().zip(nodes) {
+        let candidate = D::from_interpolated(depth.0);
+        if is_nearer(faces, (candidate, face.node), (*stored, *node)) {
+            (*stored, *node) = (candidate, face.node);
+        }
+        depth += face.plane.per_column;
+    }
+}
+
+/// The face that is seen in a column of a row, by a look at all faces, or [`NONE`]. `at` are the first column of the row, from
+/// which the column counts, and the row; `is_covered` tells whether a face covers the pixel.
+pub(super) fn nearest_of_all<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    (at, column): ([i32; 2], i32),
+    mut is_covered: impl FnMut(u16) -> bool,
+) -> u16 {
+    let [_, row] = at;
+    let mut seen = (D::FARTHEST, NONE);
+    let mut all = Passes::from_top(faces);
+    while let Some(node) = all.next_crossing(faces, row) {
+        if is_covered(node) {
+            seen = nearer_of(faces, node, (at, column), seen);
+        }
+    }
+    let (_, node) = seen;
+    node
+}
+
+/// Of a face that covers a pixel, and the depth and the face that are seen there without it, what is nearer. `at` are the first
+/// column of the row, from which the column counts, and the row.
+pub(super) fn nearer_of<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    faces: &impl FaceTable<S, D, H>,
+    node: u16,
+    (at, column): ([i32; 2], i32),
+    seen: (D, u16),
+) -> (D, u16) {
+    let [_, row] = at;
+    let Some((face, _)) = face_from_row(faces, node, at) else {
+        return seen;
+    };
+    let candidate = (D::from_interpolated(face.plane.at(column, row).0), node);
+    if is_nearer(faces, candidate, seen) {
+        candidate
+    } else {
+        seen
+    }
+}
+
+/// Hands over pixels of a row in runs of the same face: of each of the columns from left to right the node of its face, or
+/// [`NONE`]. `at` are the first column of the row, from which columns count, and the row.
 pub(super) fn paint_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     painter: &mut impl Painter<S, H>,
     faces: &impl FaceTable<S, D, H>,
     at: [i32; 2],
-    nodes: &[u16],
+    columns: Range<i32>,
+    mut node_of: impl FnMut(i32) -> u16,
 ) {
     let [_, row] = at;
-    let mut end = 0;
-    for run in nodes.chunk_by(|one, other| one == other) {
-        let start = end;
-        end += run.len() as i32;
-        let node = run.first().copied().filter(|node| *node != NONE);
-        if let Some((face, _)) = node.and_then(|node| face_from_row(faces, node, at)) {
+    let mut paint = |node: u16, start: i32, end: i32| {
+        if node == NONE {
+            return;
+        }
+        if let Some((face, _)) = face_from_row(faces, node, at) {
             painter.span(&face, row, [start, end]);
         }
+    };
+    let (mut start, mut seen) = (columns.start, NONE);
+    for column in columns.clone() {
+        let node = node_of(column);
+        if node != seen {
+            paint(seen, start, column);
+            (start, seen) = (column, node);
+        }
     }
+    paint(seen, start, columns.end);
+}
+
+/// [`paint_row`] of nodes in a table, from a column on.
+pub(super) fn paint_nodes<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    painter: &mut impl Painter<S, H>,
+    faces: &impl FaceTable<S, D, H>,
+    at: [i32; 2],
+    column: i32,
+    nodes: &[u16],
+) {
+    let mut rest = nodes.iter();
+    paint_row(painter, faces, at, column..column + nodes.len() as i32, |_| {
+        rest.next().copied().unwrap_or(NONE)
+    });
 }

@@ -1,0 +1,281 @@
+//! Ray casting: for each pixel a ray through a tree of boxes, down to the faces that it may meet.
+//!
+//! ```text
+//!              all faces                    Faces are halved by the middle of their boxes, along the longer side, again and
+//!             /         \                   again, until few are left. A ray looks into a box only where that contains its
+//!        A B C D       E F G H              pixel and reaches nearer than what the ray has met so far, into the nearer half
+//!        /    \         /    \              first: so most boxes behind a face are never opened.
+//!      A B    C D     E F    G H
+//! ```
+//!
+//! The tree has no pointers: it is the order of the faces in a table, halved at its middle, and each inner node has its box at
+//! the index of that middle. On the screen all rays are parallel, so that a box is a rectangle of pixels and a nearest depth.
+//!
+//! Guarantees: the picture of the depth row. Cost: building the tree for each window that is drawn, n log n; a walk down the tree
+//! for each pixel, with a test of the sides of each face that it comes to and the plane of each that covers the pixel.
+//!
+//! Source: Appel 1968, "Some techniques for shading machine renderings of solids"; a tree of bounding volumes: Rubin and Whitted
+//! 1980, "A 3-dimensional representation for fast rendering of complex scenes".
+
+use core::ops::Range;
+
+use heapless::Vec;
+
+use crate::{
+    geometry::{TooSmall, Window},
+    shade::Shading,
+    view::{DepthWidth, ScreenPrecision},
+    visible::{
+        face_table::{FaceTable, NONE, corners_from_top, covers},
+        hidden_surfaces::placed::{for_each_node, nearer_of, paint_row},
+        painter::Painter,
+        visibility::Visibility,
+    },
+};
+
+/// Faces that are looked at one by one.
+const FEW: usize = 3;
+
+/// Halves of halves that a ray has still to look into, at most: of 65,535 faces.
+const LEVELS: usize = 17;
+
+/// Ray casting through a tree of boxes ([`Visibility`]), for at most so many faces that begin above the lower side of the window.
+///
+/// Take it for huge scenes that are seen through few pixels. For one pixel, as where a finger touches the panel,
+/// [`Prepared::face_at`](crate::scene::Prepared::face_at) needs no tree.
+///
+/// RAM: 14 bytes a face, and 8.
+///
+/// Source: Appel 1968; Rubin and Whitted 1980.
+#[derive(Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct RayCasting<const FACES: usize> {
+    nodes: [u16; FACES],
+    /// For each inner node its box, at the index of the middle of its faces.
+    boxes: [FaceBox; FACES],
+    faces_tested: u32,
+}
+
+/// The pixels that faces may cover, and the nearest depth in units that they may have.
+#[derive(Debug, Copy, Clone)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct FaceBox {
+    left: i16,
+    top: i16,
+    right: i16,
+    bottom: i16,
+    nearest: i32,
+}
+
+impl FaceBox {
+    const EMPTY: Self = Self {
+        left: 0,
+        top: 0,
+        right: 0,
+        bottom: 0,
+        nearest: 0,
+    };
+
+    /// The box of a face; a depth is at most so much nearer than those of the corners.
+    fn of<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+        faces: &impl FaceTable<S, D, H>,
+        node: u16,
+        margin: i32,
+    ) -> Option<Self> {
+        let [a, b, c] = corners_from_top(faces, node)?;
+        // Coordinates of the domain are below 2^13 pixels in size.
+        let pixel = |units: i32| (units >> S::FRACTION_BITS) as i16;
+        Some(Self {
+            left: pixel(a.x_units().min(b.x_units()).min(c.x_units())),
+            top: pixel(a.y_units()),
+            right: pixel(a.x_units().max(b.x_units()).max(c.x_units())),
+            bottom: pixel(b.y_units().max(c.y_units())),
+            nearest: a.z.units().max(b.z.units()).max(c.z.units()) + margin,
+        })
+    }
+
+    /// The box around two boxes.
+    fn around(self, other: Self) -> Self {
+        Self {
+            left: self.left.min(other.left),
+            top: self.top.min(other.top),
+            right: self.right.max(other.right),
+            bottom: self.bottom.max(other.bottom),
+            nearest: self.nearest.max(other.nearest),
+        }
+    }
+
+    fn contains(&self, [column, row]: [i32; 2]) -> bool {
+        (i32::from(self.left)..=i32::from(self.right)).contains(&column)
+            && (i32::from(self.top)..=i32::from(self.bottom)).contains(&row)
+    }
+
+    fn is_wide(&self) -> bool {
+        i32::from(self.right) - i32::from(self.left) > i32::from(self.bottom) - i32::from(self.top)
+    }
+
+    /// Twice the middle of the box: its column, or its row.
+    fn middle(&self, by_columns: bool) -> i32 {
+        if by_columns {
+            i32::from(self.left) + i32::from(self.right)
+        } else {
+            i32::from(self.top) + i32::from(self.bottom)
+        }
+    }
+}
+
+impl<const FACES: usize> RayCasting<FACES> {
+    /// A tree without faces.
+    pub const fn new() -> Self {
+        Self {
+            nodes: [0; FACES],
+            boxes: [FaceBox::EMPTY; FACES],
+            faces_tested: 0,
+        }
+    }
+
+    /// How often a ray was tested to meet a face since the method was made, modulo 2^32.
+    pub const fn faces_tested(&self) -> u32 {
+        self.faces_tested
+    }
+
+    /// Builds the tree of the faces that begin above the lower side of a window. Returns how many these are.
+    fn build<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+        &mut self,
+        faces: &impl FaceTable<S, D, H>,
+        window: &Window,
+    ) -> Result<usize, TooSmall> {
+        let mut count = 0;
+        for_each_node(faces, window, |node| {
+            if let Some(entry) = self.nodes.get_mut(count) {
+                *entry = node;
+            }
+            count += 1;
+        });
+        let nodes = self.nodes.get_mut(..count).ok_or(TooSmall::Faces(count))?;
+        let Window {
+            left,
+            top,
+            right,
+            bottom,
+        } = *faces.viewport();
+        // Gradients are rounded once: a depth is wrong by less than 1/256 unit for each column and row.
+        let margin = 2 + ((right - left + bottom - top) >> 8);
+        let mut open = Stack::new(0..count);
+        while let Some(range) = open.pop() {
+            let (Some(nodes), true) = (nodes.get_mut(range.clone()), range.len() > FEW) else {
+                continue;
+            };
+            let box_of = |node: &u16| FaceBox::of(faces, *node, margin).unwrap_or(FaceBox::EMPTY);
+            let all = nodes
+                .iter()
+                .map(box_of)
+                .reduce(FaceBox::around)
+                .unwrap_or(FaceBox::EMPTY);
+            let half = nodes.len() / 2;
+            nodes.select_nth_unstable_by_key(half, |node| box_of(node).middle(all.is_wide()));
+            let middle = range.start + half;
+            if let Some(entry) = self.boxes.get_mut(middle) {
+                *entry = all;
+            }
+            open.push(range.start..middle);
+            open.push(middle..range.end);
+        }
+        Ok(count)
+    }
+
+    /// The face that the ray through a pixel of a row meets first, of so many faces, or [`NONE`]. `at` are the first column of
+    /// the row and the row; the column counts from there.
+    fn cast<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+        &mut self,
+        faces: &impl FaceTable<S, D, H>,
+        count: usize,
+        at: [i32; 2],
+        column: i32,
+    ) -> u16 {
+        let [first_column, row] = at;
+        let pixel = [first_column + column, row];
+        let mut seen = (D::FARTHEST, NONE);
+        let mut open = Stack::new(0..count);
+        while let Some(range) = open.pop() {
+            if range.len() <= FEW {
+                for node in self.nodes.get(range).unwrap_or_default() {
+                    self.faces_tested = self.faces_tested.wrapping_add(1);
+                    if covers(faces, *node, first_column + column, row) {
+                        seen = nearer_of(faces, *node, (at, column), seen);
+                    }
+                }
+                continue;
+            }
+            let middle = range.start + range.len() / 2;
+            let (depth, _) = seen;
+            let is_met = |face_box: &&FaceBox| face_box.contains(pixel) && face_box.nearest >= depth.units();
+            if self.boxes.get(middle).filter(is_met).is_none() {
+                continue;
+            }
+            let halves = [range.start..middle, middle..range.end];
+            let nearest = |half: &Range<usize>| {
+                let inner = self.boxes.get(half.start + half.len() / 2);
+                inner
+                    .filter(|_| half.len() > FEW)
+                    .map_or(i32::MAX, |inner| inner.nearest)
+            };
+            let [first, second] = halves;
+            let (first, second) = if nearest(&first) >= nearest(&second) {
+                (first, second)
+            } else {
+                (second, first)
+            };
+            // The last one comes first.
+            open.push(second);
+            open.push(first);
+        }
+        let (_, node) = seen;
+        node
+    }
+}
+
+/// Ranges of faces that have still to be looked into.
+struct Stack(Vec<Range<usize>, LEVELS>);
+
+impl Stack {
+    fn new(all: Range<usize>) -> Self {
+        let mut stack = Self(Vec::new());
+        stack.push(all);
+        stack
+    }
+
+    /// Adds a range. There is room: of each level at most one half waits, and two of the last one.
+    fn push(&mut self, range: Range<usize>) {
+        let pushed = self.0.push(range);
+        debug_assert!(pushed.is_ok(), "as many levels as halves of 65,535 faces");
+    }
+
+    fn pop(&mut self) -> Option<Range<usize>> {
+        self.0.pop()
+    }
+}
+
+impl<const FACES: usize> Default for RayCasting<FACES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<D: DepthWidth, const FACES: usize> Visibility<D> for RayCasting<FACES> {
+    fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
+    where
+        S: ScreenPrecision,
+        H: Shading,
+        F: FaceTable<S, D, H>,
+    {
+        let count = self.build(faces, window)?;
+        for row in window.top..window.bottom {
+            let at = [window.left, row];
+            paint_row(painter, faces, at, 0..window.width() as i32, |column| {
+                self.cast(faces, count, at, column)
+            });
+        }
+        Ok(())
+    }
+}
