@@ -116,7 +116,7 @@ impl<D: DepthWidth> Buffer<'_, D> {
         span: [i32; 2],
     ) {
         let width = self.window.width() as i32;
-        let [start, end] = span.map(|column| column.clamp(0, width));
+        let [start, end] = span.map(|column| column.max(0).min(width));
         let first = (row - self.window.top) as usize * width as usize;
         let pixels = first + start as usize..first + end as usize;
         if let (Some(depths), Some(nodes)) = (self.depths.get_mut(pixels.clone()), self.nodes.get_mut(pixels)) {

@@ -114,6 +114,15 @@ impl FaceBox {
         i32::from(self.right) - i32::from(self.left) > i32::from(self.bottom) - i32::from(self.top)
     }
 
+    /// The least and the greatest of what [`middle`](Self::middle) says of boxes within the box.
+    fn middles(&self, by_columns: bool) -> [i32; 2] {
+        if by_columns {
+            [self.left, self.right].map(|column| 2 * i32::from(column))
+        } else {
+            [self.top, self.bottom].map(|row| 2 * i32::from(row))
+        }
+    }
+
     /// Twice the middle of the box: its column, or its row.
     fn middle(&self, by_columns: bool) -> i32 {
         if by_columns {
@@ -173,7 +182,10 @@ impl<const FACES: usize> RayCasting<FACES> {
                 .reduce(FaceBox::around)
                 .unwrap_or(FaceBox::EMPTY);
             let half = nodes.len() / 2;
-            nodes.select_nth_unstable_by_key(half, |node| box_of(node).middle(all.is_wide()));
+            let by_columns = all.is_wide();
+            put_in_halves(nodes, half, all.middles(by_columns), |node| {
+                box_of(node).middle(by_columns)
+            });
             let middle = range.start + half;
             if let Some(entry) = self.boxes.get_mut(middle) {
                 *entry = all;
@@ -233,6 +245,44 @@ impl<const FACES: usize> RayCasting<FACES> {
         let (_, node) = seen;
         node
     }
+}
+
+/// Puts the nodes with the least keys first, so many of them, those with greater keys behind them. The keys lie between two
+/// numbers: these are halved, and the nodes between them, until the one that comes next has the same key as all around it
+/// (Hoare 1961, "Algorithm 65: Find").
+fn put_in_halves(
+    mut nodes: &mut [u16],
+    mut count: usize,
+    [mut least, mut greatest]: [i32; 2],
+    key: impl Fn(&u16) -> i32,
+) {
+    while least < greatest {
+        let middle = least + ((greatest - least) >> 1);
+        let lower = partition(nodes, |node| key(node) <= middle);
+        let Some((front, back)) = core::mem::take(&mut nodes).split_at_mut_checked(lower) else {
+            return;
+        };
+        if count < lower {
+            (nodes, greatest) = (front, middle);
+        } else {
+            (nodes, least, count) = (back, middle + 1, count - lower);
+        }
+    }
+}
+
+/// Puts the nodes first that belong to the front. Returns how many these are.
+fn partition(nodes: &mut [u16], is_front: impl Fn(&u16) -> bool) -> usize {
+    let (mut nodes, mut front) = (nodes.iter_mut(), 0);
+    while let Some(first) = nodes.next() {
+        if !is_front(first) {
+            let Some(last) = nodes.rfind(|node| is_front(node)) else {
+                break;
+            };
+            core::mem::swap(first, last);
+        }
+        front += 1;
+    }
+    front
 }
 
 /// Ranges of faces that have still to be looked into.

@@ -126,19 +126,15 @@ impl<D: DepthWidth, const TILES: usize, const FACES: usize> Visibility<D> for Ti
     {
         let grid = Grid::new(window);
         self.bin(faces, &grid)?;
-        let mut start = 0;
-        for (tile, end) in self.ends.iter().enumerate().take(grid.across * grid.down) {
-            let list = self.nodes.get(start..usize::from(*end)).unwrap_or_default();
-            start = usize::from(*end);
-            if list.is_empty() {
-                continue;
+        let (mut start, mut ends) = (0, self.ends.iter());
+        for row in 0..grid.down {
+            for (column, end) in (0..grid.across).zip(&mut ends) {
+                let list = self.nodes.get(start..usize::from(*end)).unwrap_or_default();
+                start = usize::from(*end);
+                let area = grid.tile(column, row);
+                self.tile.draw(faces, list, &area);
+                self.tile.paint(faces, &area, painter, window.left);
             }
-            let area = grid.tile(tile);
-            self.tile.clear();
-            for node in list {
-                self.tile.draw_face(faces, *node, &area);
-            }
-            self.tile.paint(faces, &area, painter, window.left);
         }
         Ok(())
     }
@@ -162,9 +158,9 @@ impl<'w> Grid<'w> {
     }
 
     /// The pixels of a tile.
-    fn tile(&self, index: usize) -> Window {
-        let left = self.window.left + (index % self.across) as i32 * SIDE;
-        let top = self.window.top + (index / self.across) as i32 * SIDE;
+    fn tile(&self, column: usize, row: usize) -> Window {
+        let left = self.window.left + column as i32 * SIDE;
+        let top = self.window.top + row as i32 * SIDE;
         Window {
             left,
             top,
@@ -196,7 +192,7 @@ impl<'w> Grid<'w> {
 /// The columns or rows of tiles that a face may meet, by its coordinates, the side from which tiles count, and their number.
 fn tiles_between<S: ScreenPrecision>([a, b, c]: [i32; 3], side: i32, tiles: usize) -> Range<usize> {
     let tile = |units: i32| ((units >> S::FRACTION_BITS) - side).div_euclid(SIDE);
-    let limit = |tile: i32| tile.clamp(0, tiles as i32) as usize;
+    let limit = |tile: i32| (tile.max(0) as usize).min(tiles);
     limit(tile(a.min(b).min(c)))..limit(tile(a.max(b).max(c)) + 1)
 }
 
@@ -209,9 +205,13 @@ struct Tile<D> {
 }
 
 impl<D: DepthWidth> Tile<D> {
-    fn clear(&mut self) {
+    /// Draws the faces of a list into the cleared pixels of a tile.
+    fn draw<S: ScreenPrecision, H: Shading>(&mut self, faces: &impl FaceTable<S, D, H>, list: &[u16], area: &Window) {
         self.depths.fill(D::FARTHEST);
         self.nodes.fill(NONE);
+        for node in list {
+            self.draw_face(faces, *node, area);
+        }
     }
 
     /// Draws the part of a face that lies in the pixels of a tile.

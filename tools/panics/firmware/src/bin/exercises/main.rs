@@ -22,6 +22,8 @@ mod scene;
 mod shade;
 mod surface;
 mod view;
+mod visible;
+
 use zrow_panics_firmware::call_all;
 
 static EXERCISES: &[&[fn()]] = &[
@@ -35,6 +37,7 @@ static EXERCISES: &[&[fn()]] = &[
     shade::EXERCISES,
     band::EXERCISES,
     draw::EXERCISES,
+    visible::EXERCISES,
     scene::EXERCISES,
 ];
 
