@@ -50,4 +50,5 @@ mod translucent;
 mod unclipped_faces;
 mod visibility;
 mod visibility_shading;
+mod visibility_warnock;
 mod wireframes;

@@ -9,7 +9,7 @@ use zrow::{
     geometry::{Sub4, Sub8, TooSmall},
     scan::{FillRule, Location, Polygons},
     scene::{Camera, DepthWidth, Look, Memory, Model, Prepared},
-    visible::{DepthBuffer, OneDepth, RayCasting, TileBins, Visibility},
+    visible::{DepthBuffer, OneDepth, RayCasting, TileBins, Visibility, Warnock},
 };
 
 use crate::common::meshes::{self, Mesh};
@@ -76,6 +76,33 @@ fn check_in_bands<L: Look<Color = Rgb888, Shading = Rgb888>>(
     assert_eq!(differing.count(), 0, "{name}, bands of {size:?}");
 }
 
+/// Warnock's algorithm with room for all faces, for some and for none, and with each test of windows.
+fn check_warnock<L: Look<Color = Rgb888, Shading = Rgb888>>(prepared: &mut Prepared<'_, '_, L>, expected: &[u32]) {
+    check(prepared, expected, "Warnock", &mut Warnock::<1_000>::new());
+    check(prepared, expected, "Warnock, 10 faces", &mut Warnock::<10>::new());
+    check(prepared, expected, "Warnock, 1 face", &mut Warnock::<1>::new());
+    check(prepared, expected, "Warnock, no face", &mut Warnock::<0>::new());
+    check(
+        prepared,
+        expected,
+        "line equations",
+        &mut Warnock::<500, _>::by_line_equations(),
+    );
+    check(
+        prepared,
+        expected,
+        "ray crossings",
+        &mut Warnock::<500, _>::by_ray_crossings(),
+    );
+    check(prepared, expected, "angle sum", &mut Warnock::<500, _>::by_angle_sum());
+    check(
+        prepared,
+        expected,
+        "region codes",
+        &mut Warnock::<500, _>::by_region_codes(),
+    );
+}
+
 /// Draws models by all methods; returns how many pixels show a face.
 fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> usize {
     let mut memory = Box::new(MemoryOf::<S, D>::new());
@@ -112,6 +139,7 @@ fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: 
         check_in_bands(&mut prepared, &expected, "one depth", &mut method, ([23, 11], true));
         assert!(shown == 0 || method.points_tested() > 0);
     }
+    check_warnock(&mut prepared, &expected);
     shown
 }
 

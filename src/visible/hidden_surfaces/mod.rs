@@ -1,4 +1,4 @@
-//! The methods that find out which face is seen in each pixel, one file each.
+//! The methods that find out which face is seen in each pixel, one file or folder each.
 
 mod depth_buffer;
 mod one_depth;
@@ -6,10 +6,12 @@ mod picking;
 mod placed;
 mod ray_casting;
 mod tile_bins;
+mod warnock;
 
 pub use depth_buffer::DepthBuffer;
 pub use one_depth::OneDepth;
 pub use ray_casting::RayCasting;
 pub use tile_bins::TileBins;
+pub use warnock::Warnock;
 
 pub(crate) use picking::face_at;
