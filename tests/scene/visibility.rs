@@ -80,7 +80,6 @@ fn check_in_bands<L: Look<Color = Rgb888, Shading = Rgb888>>(
 fn check_warnock<L: Look<Color = Rgb888, Shading = Rgb888>>(prepared: &mut Prepared<'_, '_, L>, expected: &[u32]) {
     check(prepared, expected, "Warnock", &mut Warnock::<1_000>::new());
     check(prepared, expected, "Warnock, 10 faces", &mut Warnock::<10>::new());
-    check(prepared, expected, "Warnock, 1 face", &mut Warnock::<1>::new());
     check(prepared, expected, "Warnock, no face", &mut Warnock::<0>::new());
     check(
         prepared,

@@ -3,16 +3,17 @@
 //! That it draws the pictures of the other methods is tested together with them, in `visibility`.
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
-use fixed::types::I16F16;
+use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::Band,
     geometry::{Sub4, Sub8},
-    scene::{Camera, DepthWidth, Look, Memory, Model, Pose, Prepared},
+    scene::{Camera, Deep, DepthWidth, Fine, Look, Memory, Model, Pose, Prepared},
+    shade::{Gouraud, GouraudSkin, Lambert, Shading, Texels, Textured, TexturedSkin},
     visible::{Visibility, Warnock},
 };
 
 use crate::common::meshes::{self, Mesh};
-use crate::numbered_scene::{Format, LookIn, Scene, area, picture};
+use crate::numbered_scene::{Format, LookIn, Scene, area, color_of, picture};
 use crate::snapped_faces::{camera, standard_pose};
 
 type MemoryOf<S, D> = Memory<LookIn<S, D>, 600, 600, 128, 64, 100>;
@@ -25,7 +26,7 @@ fn counts<const FACES: usize, T>(method: &Warnock<FACES, T>) -> Counts {
 }
 
 /// Draws a prepared frame by the method into one band, and checks it against the depth row.
-fn draw<L: Look<Color = Rgb888, Shading = Rgb888>>(
+fn draw<L: Look<Color = Rgb888>>(
     prepared: &mut Prepared<'_, '_, L>,
     area: Rectangle,
     method: &mut impl Visibility<L::Depth>,
@@ -201,6 +202,50 @@ fn standard_scenes_compare_a_part_of_their_pixels() {
             }
         }
     }
+}
+
+/// Attributes that vary evenly on the screen, and in space, which are divided at every 16th column: windows begin in between.
+#[test]
+fn attributes_are_those_of_the_depth_row() {
+    fn check<'a, L: Look<Color = Rgb888>>(mesh: &'a Mesh, skin: <L::Shading as Shading>::Skin<'a>) {
+        let model = Model::with_skin(mesh.face_set(), skin).unwrap();
+        let (models, camera) = ([model.with_pose(standard_pose(9))], camera(area(128, 64)));
+        let mut memory = Box::new(Memory::<L, 600, 600, 128, 64, 100>::new());
+        let mut prepared = memory.prepare(&camera, &models).unwrap();
+        let mut method = Warnock::<600>::new();
+        draw(&mut prepared, area(128, 64), &mut method);
+        assert!(method.blocks() > 60, "{:?}", counts(&method));
+    }
+    let mesh = meshes::cube(0.9);
+    let normals = vec![[0; 2]; mesh.vertices.len()];
+    let colors: Vec<_> = (0..mesh.vertices.len())
+        .map(|vertex| color_of(0x12_3457 * vertex))
+        .collect();
+    let (ambient, lights, points) = (U0F16::MAX, [], []);
+    let lit = || GouraudSkin {
+        colors: &colors,
+        normals: &normals,
+        lights: Lambert {
+            ambient,
+            lights,
+            points,
+        },
+    };
+    check::<Gouraud<Rgb888, Lambert<0>>>(&mesh, lit());
+    check::<Fine<Deep<Gouraud<Rgb888, Lambert<0>>>>>(&mesh, lit());
+    let texel = |row: u32| std::array::from_fn(|column| 0x1_2345 * (16 * row + column as u32));
+    let image: [[u32; 16]; 16] = std::array::from_fn(|row| texel(row as u32));
+    let coordinates: Vec<_> = mesh
+        .vertices
+        .iter()
+        .map(|[x, y, z]| [8 * (x + z), 8 * (y - z)])
+        .collect();
+    let textured = || TexturedSkin {
+        image: &image,
+        coordinates: &coordinates,
+    };
+    check::<Textured<Texels<Rgb888, 16, 16>>>(&mesh, textured());
+    check::<Fine<Deep<Textured<Texels<Rgb888, 16, 16>>>>>(&mesh, textured());
 }
 
 /// A picture of 9,000 rows has 14 levels, all of which its stack holds.

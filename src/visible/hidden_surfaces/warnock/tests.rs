@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::{
+    Warnock,
     angle_sum::AngleSum,
     bounding_box::BoundingBox,
     line_equations::LineEquations,
@@ -152,4 +153,12 @@ fn contained_faces_and_windows_beyond_a_corner() {
         bottom: 20,
     };
     assert_eq!(check::<Sub4>(&sharp, &beyond), Some(Relation::Separate));
+}
+
+/// The memory that the documentation states.
+#[test]
+fn memory_is_two_bytes_a_face_and_184() {
+    assert_eq!(size_of::<Warnock<0>>(), 184);
+    assert_eq!(size_of::<Warnock<100>>(), 384);
+    assert_eq!(size_of::<Warnock<1_000, RegionCodes>>(), 2_184);
 }
