@@ -10,11 +10,12 @@ use crate::{
         frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, StoredOf, corners},
         lens::{ScreenVertexOf, has_far_plane, projection},
         off_screen::{eye_corner, guard_band, is_outside, project_corner},
-        preparation::{Preparation, begin, rows_of_face, visible_rows},
+        preparation::{Preparation, begin, next_outside_rows, rows_of_face, visible_rows},
         stored_attributes::Stored,
     },
     shade::{Attributes, Shading},
     view::{AffineEyeTransform, Camera, DepthWidth, EyeTransform, ScreenPrecision, ScreenVertex, ToEye},
+    visible::{NONE, Silhouettes},
 };
 
 /// A polygon of a look that is cut.
@@ -37,7 +38,7 @@ impl<L: Look> Preparation<'_, L> {
             let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
                 continue;
             };
-            if [a, b, c].into_iter().any(is_outside) {
+            let next = if [a, b, c].into_iter().any(is_outside) {
                 if !all_outside_alike([a, b, c]) {
                     self.cut_face(camera, model, face, (first_vertex, node as u16));
                     if L::DRAWS_BACKS {
@@ -46,10 +47,16 @@ impl<L: Look> Preparation<'_, L> {
                         self.cut_face(camera, model, &[a, c, b], (first_vertex, node as u16));
                     }
                 }
+                NONE
             } else if let Some(rows) = rows_of_face::<L>([a, b, c], &self.viewport) {
-                if let Some(next) = self.tables.next.get_mut(node) {
-                    *next = begin(self.tables.rows, node as u16, rows);
-                }
+                begin(self.tables.rows, node as u16, rows)
+            } else if L::Silhouettes::BY_AREA {
+                next_outside_rows::<L>([a, b, c], node as u16)
+            } else {
+                continue;
+            };
+            if let Some(entry) = self.tables.next.get_mut(node) {
+                *entry = next;
             }
         }
     }

@@ -67,7 +67,7 @@ pub(super) struct Tables<'m, L: Look> {
     pub(super) vertices: &'m mut [ScreenVertex<L::Precision, L::Depth>],
     /// What is kept of what each of the vertices has beside its position.
     pub(super) attributes: &'m mut [StoredOf<L>],
-    /// For each face the next node of its row.
+    /// For each face the next node of its row; in looks with silhouettes by area a face that is not seen has itself.
     pub(super) next: &'m mut [u16],
     pub(super) rows: &'m mut [RowStart],
 }

@@ -97,6 +97,15 @@ pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) ->
     previous
 }
 
+/// What is kept as the next node of a face that lies in no bucket, in a look with silhouettes by area: the face itself where it
+/// is not seen, because it is turned away or has no area.
+#[inline]
+pub(super) fn next_outside_rows<L: Look>([a, b, c]: [&ScreenVertexOf<L>; 3], node: u16) -> u16 {
+    let [a, b, c] = [a, b, c].map(ScreenVertex::position);
+    let is_seen = is_front::<L::Precision>(a, b, c) || (L::DRAWS_BACKS && is_front::<L::Precision>(a, c, b));
+    if is_seen { NONE } else { node }
+}
+
 /// Whether the corners run clockwise on the screen, in exact arithmetic.
 #[inline]
 pub(super) fn is_front<S: ScreenPrecision>(a: Position, b: Position, c: Position) -> bool {

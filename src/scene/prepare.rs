@@ -10,11 +10,12 @@ use crate::{
         frame::{AttributesOf, MOST_NODES, RowStart, StoredOf, Tables, corners},
         lens::{ProjectionOf, ScreenVertexOf, has_far_plane, on_screen, projection},
         off_screen::{mark_behind_far_plane, off_screen},
-        preparation::{Preparation, begin, rows_of_face},
+        preparation::{Preparation, begin, next_outside_rows, rows_of_face},
         stored_attributes::Stored,
     },
     shade::{Planes, Shading},
     view::{AffineEyeTransform, Camera, EyePoint, EyeTransform, ScreenPrecision, ToEye, ViewVolume},
+    visible::Silhouettes,
 };
 
 /// The clipping boundary beyond which an off-screen vertex lies.
@@ -201,9 +202,6 @@ impl<L: Look> Preparation<'_, L> {
     }
 }
 
-/// The corners of a face of a look.
-type Corners<'v, L> = [&'v ScreenVertexOf<L>; 3];
-
 impl<L: Look> Tables<'_, L> {
     /// Puts the faces of a model of which none must be cut into their buckets. A loop of its own, because half of all
     /// faces end in it.
@@ -221,12 +219,15 @@ impl<L: Look> Tables<'_, L> {
         let vertices = self.vertices.get(first_vertex..last_vertex).unwrap_or_default();
         let next = self.next.get_mut(first_face..).unwrap_or_default();
         for (index, (face, next)) in mesh.faces().iter().zip(next).enumerate().rev() {
-            let visible = |[a, b, c]: Corners<'_, L>| {
-                let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
-                rows_of_face::<L>(corners, viewport)
+            let Some([a, b, c]) = corners(vertices, face) else {
+                continue;
             };
-            if let Some(rows) = corners(vertices, face).and_then(visible) {
-                *next = begin(self.rows, (first_face + index) as u16, rows);
+            let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
+            let node = (first_face + index) as u16;
+            if let Some(rows) = rows_of_face::<L>(corners, viewport) {
+                *next = begin(self.rows, node, rows);
+            } else if L::Silhouettes::BY_AREA {
+                *next = next_outside_rows::<L>(corners, node);
             }
         }
     }

@@ -86,7 +86,7 @@ pub(super) struct RowMemory<'r, 'm, L: Look> {
 pub(super) struct PreparedFaces<'f, 'm, L: Look> {
     pub(super) vertices: &'f [ScreenVertex<L::Precision, L::Depth>],
     attributes: &'f [StoredOf<L>],
-    next: &'f [u16],
+    pub(super) next: &'f [u16],
     pub(super) rows: &'f [RowStart],
     pub(super) models: &'f [Model<'m, L::Shading>],
     /// The faces of the first model, and its skin with its uniforms and its mesh.

@@ -48,8 +48,7 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         let rows = SilhouettesOf::<L>::faces(tables.rows);
         let active = SilhouettesOf::<L>::active(&mut tables.row.active);
         if !follows {
-            self.find_silhouettes(faces);
-            self.enter_silhouettes(faces, rows, row.y());
+            self.find_silhouettes(faces, rows, row.y());
         }
         let columns = SilhouettesOf::<L>::columns(&mut tables.row.columns);
         let mut edges = EdgeRow::new(columns, row.words().len(), row.start());
@@ -128,11 +127,13 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)
     }
 
-    /// Finds out which edges of all faces are silhouettes.
+    /// Finds out which edges of all faces are silhouettes, and puts the faces with some that touch a row or one below it into the
+    /// buckets of the first such row.
     #[cold]
     #[inline(never)]
-    fn find_silhouettes(&self, all: &mut [FaceEdges]) {
-        let (mut rest, mut first_vertex) = (all, 0);
+    fn find_silhouettes(&self, all: &mut [FaceEdges], rows: &mut [FaceEdges], row: i32) {
+        rows.fill(FaceEdges::seen(false, false).with_next(NONE));
+        let (mut rest, mut first_vertex, mut first_node) = (all, 0, 0);
         for model in self.models {
             let mesh = model.mesh();
             let count = mesh.faces().len().min(rest.len());
@@ -141,50 +142,83 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
             if is_left_out::<L>(self.vertices, first_vertex) || L::Shading::is_translucent(model.skin()) {
                 faces.fill(FaceEdges::seen(false, false));
             } else {
-                see_faces::<L>(model, vertices, faces);
-                see_neighbours(mesh, faces);
+                let next = self.next.get(first_node..).unwrap_or_default();
+                see_faces::<L>(model, vertices, (first_node, next), faces);
+                self.enter_silhouettes(mesh, vertices, (first_node, faces), (rows, row));
             }
             first_vertex += mesh.vertices().len();
+            first_node += count;
             rest = others;
         }
         // What is behind the last face is none.
         rest.fill(FaceEdges::seen(false, false));
     }
 
-    /// Puts all faces with silhouettes that touch a row or one below it into the buckets of the first such row.
-    #[cold]
-    #[inline(never)]
-    fn enter_silhouettes(&self, faces: &mut [FaceEdges], rows: &mut [FaceEdges], row: i32) {
-        rows.fill(FaceEdges::seen(false, false).with_next(NONE));
-        let one = 1 << <L::Precision as SubPixel>::FRACTION_BITS;
-        // The row that a coordinate lies in, and that which ends at it or around it.
-        let row_of = |units: i32| (units + one / 2) >> <L::Precision as SubPixel>::FRACTION_BITS;
-        for (node, face) in (0..).zip(faces) {
-            if !face.has_any() {
-                continue;
-            }
-            let Some(corners) = self.corners_in_mesh(node) else {
+    /// Finds out which edges of the faces of a mesh that are seen are silhouettes, and enters the faces with some.
+    #[inline(always)]
+    fn enter_silhouettes(
+        &self,
+        mesh: &FaceSet<'_>,
+        vertices: &[ScreenVertexOf<L>],
+        (first_node, faces): (usize, &mut [FaceEdges]),
+        (rows, row): (&mut [FaceEdges], i32),
+    ) {
+        for (index, indices) in mesh.faces().iter().enumerate() {
+            let Some(mut face) = faces.get(index).copied().filter(|face| face.is_seen()) else {
                 continue;
             };
-            let [a, b, c] = corners.map(ScreenVertex::y_units);
-            let first = row_of(a.min(b).min(c)).max(row);
-            if row_of(a.max(b).max(c)) < row {
-                continue;
+            let neighbours = mesh.neighbours().get(index).copied().unwrap_or([NONE; 3]);
+            for (number, neighbour) in (0..).zip(neighbours) {
+                let neighbour = faces.get(usize::from(neighbour)).copied();
+                face = face.with_neighbour(number, neighbour.unwrap_or(FaceEdges::seen(false, false)));
             }
-            let index = offset_from(self.viewport.top, first) as usize;
-            if let Some(head) = rows.get_mut(index) {
-                *face = face.with_next(head.next());
-                *head = head.with_next(node);
+            if face.has_any() {
+                if let Some(head) = corners(vertices, indices).and_then(|corners| self.first_row(corners, rows, row)) {
+                    face = face.with_next(head.next());
+                    *head = head.with_next((first_node + index) as u16);
+                }
+            }
+            if let Some(entry) = faces.get_mut(index) {
+                *entry = face;
             }
         }
     }
+
+    /// The first row from a row on that a face touches, `None` where it touches none.
+    #[inline(always)]
+    fn first_row<'r>(
+        &self,
+        corners: [&ScreenVertexOf<L>; 3],
+        rows: &'r mut [FaceEdges],
+        row: i32,
+    ) -> Option<&'r mut FaceEdges> {
+        let one = 1 << <L::Precision as SubPixel>::FRACTION_BITS;
+        // The row that a coordinate lies in, and that which ends at it or around it.
+        let row_of = |units: i32| (units + one / 2) >> <L::Precision as SubPixel>::FRACTION_BITS;
+        let [a, b, c] = corners.map(ScreenVertex::y_units);
+        let first = row_of(a.min(b).min(c)).max(row);
+        if row_of(a.max(b).max(c)) < row {
+            return None;
+        }
+        rows.get_mut(offset_from(self.viewport.top, first) as usize)
+    }
 }
 
-/// Finds out which faces of a model are seen, and from which side.
-fn see_faces<L: Look>(model: &Model<'_, L::Shading>, vertices: &[ScreenVertexOf<L>], faces: &mut [FaceEdges]) {
+/// Finds out which faces of a model are seen, and from which side. `next` has for each of them the next node of its row, from the
+/// first node on.
+fn see_faces<L: Look>(
+    model: &Model<'_, L::Shading>,
+    vertices: &[ScreenVertexOf<L>],
+    (first_node, next): (usize, &[u16]),
+    faces: &mut [FaceEdges],
+) {
     let is_mirrored = model.is_mirrored();
-    for (face, indices) in faces.iter_mut().zip(model.mesh().faces()) {
+    for (index, ((face, next), indices)) in faces.iter_mut().zip(next).zip(model.mesh().faces()).enumerate() {
         *face = FaceEdges::seen(false, false);
+        // Faces that are not seen were told from the others when the frame was prepared.
+        if usize::from(*next) == first_node + index {
+            continue;
+        }
         let Some(corners) = corners(vertices, indices) else {
             continue;
         };
@@ -192,32 +226,12 @@ fn see_faces<L: Look>(model: &Model<'_, L::Shading>, vertices: &[ScreenVertexOf<
             *face = FaceEdges::CUT;
             continue;
         }
-        let [a, b, c] = corners.map(ScreenVertex::position);
-        let is_clockwise = is_front::<L::Precision>(a, b, c);
-        let is_counterclockwise = || !is_clockwise && is_front::<L::Precision>(a, c, b);
-        *face = if L::DRAWS_BACKS {
-            FaceEdges::seen(is_clockwise, is_counterclockwise())
-        } else if is_mirrored {
-            FaceEdges::seen(false, is_counterclockwise())
+        let is_reversed = if L::DRAWS_BACKS {
+            let [a, b, c] = corners.map(ScreenVertex::position);
+            !is_front::<L::Precision>(a, b, c)
         } else {
-            FaceEdges::seen(is_clockwise, false)
+            is_mirrored
         };
-    }
-}
-
-/// Finds out which edges of the faces of a mesh that are seen are silhouettes.
-fn see_neighbours(mesh: &FaceSet<'_>, faces: &mut [FaceEdges]) {
-    for index in 0..faces.len() {
-        let Some(mut face) = faces.get(index).copied().filter(|face| face.is_seen()) else {
-            continue;
-        };
-        let neighbours = mesh.neighbours().get(index).copied().unwrap_or([NONE; 3]);
-        for (number, neighbour) in (0..).zip(neighbours) {
-            let neighbour = faces.get(usize::from(neighbour)).copied();
-            face = face.with_neighbour(number, neighbour.unwrap_or(FaceEdges::seen(false, false)));
-        }
-        if let Some(entry) = faces.get_mut(index) {
-            *entry = face;
-        }
+        *face = FaceEdges::seen(!is_reversed, is_reversed);
     }
 }
