@@ -2,8 +2,8 @@
 //!
 //! An edge between two faces that are seen is inside a surface; one that has a face that is seen on one side only is a
 //! silhouette. Faces with silhouettes lie in buckets by the first row that those touch. In the row in which an edge begins it
-//! is set up and becomes active: from there on it goes on from row to row by itself. A face moves to the bucket of the next row
-//! as long as one of its edges has not begun, or found no room among the active ones.
+//! is set up and becomes active: from there on it goes on from row to row by itself. A face with other edges moves on to the
+//! bucket of the row in which the next of them begins, or to that of the next row where one found no room among the active ones.
 //!
 //! Guarantees: the silhouettes of the faces that are seen are closed, so that a sum over their edges is a whole number wherever
 //! none of them passes. That needs all faces that are seen, also those between the centres of pixels.
@@ -56,9 +56,14 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         let Some((mut node, mut used)) = rows.get(index).map(|row| (row.next(), row.active())) else {
             return edges;
         };
+        let [_, bottom] = edges.sides::<L::Precision>();
+        let fraction_bits = <L::Precision as SubPixel>::FRACTION_BITS;
         while let Some(face) = faces.get(usize::from(node)).copied() {
-            if let Some(face) = self.begin_edges(&mut edges, row, (node, face), (active, &mut used), follows) {
-                if let (Some(head), Some(entry)) = (rows.get_mut(index + 1), faces.get_mut(usize::from(node))) {
+            let begun = self.begin_edges(&mut edges, row, (node, face), (active, &mut used), follows);
+            if let Some((face, units)) = begun {
+                // At the lower side of the row, or below it.
+                let next = index + ((units - bottom) >> fraction_bits) as usize + 1;
+                if let (Some(head), Some(entry)) = (rows.get_mut(next), faces.get_mut(usize::from(node))) {
                     *entry = face.with_next(head.next());
                     *head = head.with_next(node);
                 }
@@ -75,7 +80,8 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
     }
 
     /// Makes the edges of a face active that begin in a row, also those that began above it where rows do not follow. Where
-    /// there is no room for them they are added to the row. Returns the face if some are left for the next row.
+    /// there is no room for them they are added to the row. Returns the face if some are left, and the y at which the first of
+    /// them begins or goes on.
     #[inline(always)]
     fn begin_edges<O: Order>(
         &self,
@@ -84,10 +90,10 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         (node, mut face): (u16, FaceEdges),
         (active, used): (&mut [ActiveEdge<L::Depth>], &mut usize),
         follows: bool,
-    ) -> Option<FaceEdges> {
+    ) -> Option<(FaceEdges, i32)> {
         let mut corners = self.corners_in_mesh(node)?;
         let [top, bottom] = edges.sides::<L::Precision>();
-        let (mut goes_on, mut left, mut number) = (false, face.edges(), 0);
+        let (mut goes_on, mut left, mut number) = (i32::MAX, face.edges(), 0);
         while left.has_any() {
             let [from, to, _] = corners;
             let (counts, is_drawn) = left.first();
@@ -95,7 +101,7 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
             let begins = first >= top || !follows || left.is_left_out();
             // A level edge on the boundary of two rows passes through no pixel.
             if counts && first >= bottom {
-                goes_on = true;
+                goes_on = goes_on.min(first);
             } else if counts && begins && last > top {
                 let sides = [face.is_reversed(), is_drawn];
                 let edge = ActiveEdge::new::<L::Precision>([from, to], (node, number), sides, edges.left());
@@ -106,7 +112,9 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
                     *used += 1;
                 } else {
                     edges.add_once::<L::Precision>(row.words(), &edge, |node| self.corners_in_mesh(node));
-                    goes_on |= last > bottom;
+                    if last > bottom {
+                        goes_on = bottom;
+                    }
                 }
                 face = face.with_left_out(number, is_left_out);
             }
@@ -114,7 +122,7 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
             left = left.others();
             number += 1;
         }
-        goes_on.then_some(face)
+        (goes_on < i32::MAX).then_some((face, goes_on))
     }
 
     /// The corners of a whole face in the order of its mesh.

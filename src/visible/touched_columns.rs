@@ -18,10 +18,8 @@ impl Touched {
 
     /// No column of a row of so many.
     pub(super) fn none(width: usize) -> Self {
-        let mut shift = 0;
-        while width.saturating_sub(1) >> shift >= 32 * Self::WORDS {
-            shift += 1;
-        }
+        let most_words = width.saturating_sub(1) as u32 / (32 * Self::WORDS as u32);
+        let shift = 31 - leading_zeros((2 * most_words) | 1);
         Self {
             words: [0; Self::WORDS],
             shift,
