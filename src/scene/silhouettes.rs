@@ -56,6 +56,9 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         let Some((mut node, mut used)) = rows.get(index).map(|row| (row.next(), row.active())) else {
             return edges;
         };
+        if rows.first().is_some_and(|first| first.is_cut()) {
+            edges.leave_out_single_edges();
+        }
         let [_, bottom] = edges.sides::<L::Precision>();
         let fraction_bits = <L::Precision as SubPixel>::FRACTION_BITS;
         while let Some(face) = faces.get(usize::from(node)).copied() {
@@ -151,7 +154,7 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
                 faces.fill(FaceEdges::seen(false, false));
             } else {
                 let next = self.next.get(first_node..).unwrap_or_default();
-                see_faces::<L>(model, vertices, (first_node, next), faces);
+                see_faces::<L>(model, vertices, (first_node, next), faces, rows.first_mut());
                 self.enter_silhouettes(mesh, vertices, (first_node, faces), (rows, row));
             }
             first_vertex += mesh.vertices().len();
@@ -213,12 +216,13 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
 }
 
 /// Finds out which faces of a model are seen, and from which side. `next` has for each of them the next node of its row, from the
-/// first node on.
+/// first node on. If one is cut, the first row says so.
 fn see_faces<L: Look>(
     model: &Model<'_, L::Shading>,
     vertices: &[ScreenVertexOf<L>],
     (first_node, next): (usize, &[u16]),
     faces: &mut [FaceEdges],
+    mut first_row: Option<&mut FaceEdges>,
 ) {
     let is_mirrored = model.is_mirrored();
     for (index, ((face, next), indices)) in faces.iter_mut().zip(next).zip(model.mesh().faces()).enumerate() {
@@ -232,6 +236,9 @@ fn see_faces<L: Look>(
         };
         if L::CLIPS && corners.into_iter().any(is_outside) {
             *face = FaceEdges::CUT;
+            if let Some(row) = &mut first_row {
+                **row = row.with_cut_face();
+            }
             continue;
         }
         let is_reversed = if L::DRAWS_BACKS {

@@ -2,7 +2,7 @@
 
 // Not re-exported.
 /// Which edges of a face are silhouettes, and the next face that has some in the same row; of a row the first such face, and
-/// how many edges are active in it.
+/// how many edges are active in it; of the first row also whether a face of the frame is cut.
 #[derive(Debug, Copy, Clone)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct FaceEdges(u32);
@@ -43,7 +43,7 @@ impl FaceEdges {
     /// silhouette; where that one is cut, it counts in the number of surfaces alone; else a silhouette.
     pub(crate) fn with_neighbour(self, edge: u32, neighbour: Self) -> Self {
         const SIDES: u32 = FaceEdges::FRONT | FaceEdges::REVERSED;
-        if neighbour.0 & Self::IS_CUT != 0 {
+        if neighbour.is_cut() {
             Self(self.0 | Self::COUNTED << edge)
         } else if neighbour.0 & SIDES == self.0 & SIDES {
             self
@@ -73,13 +73,24 @@ impl FaceEdges {
 
     /// How many edges of silhouettes are active in the row that this is kept of.
     pub(crate) fn active(self) -> usize {
-        (self.0 >> 16) as usize
+        usize::from((self.0 >> 16) as u8)
+    }
+
+    /// Whether the face is cut; of the first row, whether a face of the frame is.
+    pub(crate) fn is_cut(self) -> bool {
+        self.0 & Self::IS_CUT != 0
+    }
+
+    /// What is kept of the first row, in a frame with a face that is cut.
+    #[must_use]
+    pub(crate) fn with_cut_face(self) -> Self {
+        Self(self.0 | Self::IS_CUT)
     }
 
     /// What is kept of a row, with another number of silhouette edges that are active in it.
     #[must_use]
     pub(crate) fn with_active(self, count: usize) -> Self {
-        Self(self.0 & 0xffff | (count as u32) << 16)
+        Self(self.0 & (Self::IS_CUT | 0xffff) | (count as u32) << 16)
     }
 
     /// The next face of the row, or [`NONE`].

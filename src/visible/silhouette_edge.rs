@@ -25,7 +25,7 @@ pub struct ActiveEdge<D> {
     /// Its face.
     face: u16,
     /// Bits: by how much a product with the slope is shifted down, the number of the edge in its face, whether it goes up, is
-    /// added, is drawn, and is long.
+    /// added, is drawn, is long, and is precise.
     flags: u16,
     /// The depth of its middle.
     depth: D,
@@ -49,6 +49,10 @@ impl<D: DepthWidth> ActiveEdge<D> {
     const IS_ADDED: u16 = 1 << 8;
     const IS_DRAWN: u16 = 1 << 9;
     const IS_LONG: u16 = 1 << 10;
+    const IS_PRECISE: u16 = 1 << 11;
+
+    /// What the x of a precise edge may be too small by, in 1/8192 pixel.
+    const ROUNDED: i32 = X_ONE / 64;
 
     /// The edge of that number of a face, clockwise, or the other way round where it is reversed, in rows that begin at a
     /// column. One that is not drawn counts in the number of surfaces alone.
@@ -69,12 +73,14 @@ impl<D: DepthWidth> ActiveEdge<D> {
         let (slope, _) = divide_floor_large(width << shift, height);
         let flag = |is_set: bool, flag: u16| if is_set { flag } else { 0 };
         // An x has at most 22 bits, so that the shift is not negative.
-        let flags = (shift + S::FRACTION_BITS - X_BITS) as u16
+        let shift = shift + S::FRACTION_BITS - X_BITS;
+        let flags = shift as u16
             | (number << Self::NUMBER) as u16
             | flag(goes_up, Self::GOES_UP)
             | flag(goes_up != is_reversed, Self::IS_ADDED)
             | flag(is_drawn, Self::IS_DRAWN)
-            | flag(height.max(width.abs()) > SHORT << S::FRACTION_BITS, Self::IS_LONG);
+            | flag(height.max(width.abs()) > SHORT << S::FRACTION_BITS, Self::IS_LONG)
+            | flag(height >> shift < Self::ROUNDED - 1, Self::IS_PRECISE);
         Self {
             upper: x(upper),
             lower: x(lower),
@@ -131,6 +137,12 @@ impl<D: DepthWidth> ActiveEdge<D> {
     #[inline(always)]
     pub(super) fn is_long(&self) -> bool {
         self.flags & Self::IS_LONG != 0
+    }
+
+    /// Whether x is known to 1/64 pixel all along the edge: it is not very long both in height and in width.
+    #[inline(always)]
+    pub(super) fn is_precise(&self) -> bool {
+        self.flags & Self::IS_PRECISE != 0
     }
 
     /// Whether the edge goes up in the order of its face.

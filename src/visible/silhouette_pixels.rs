@@ -10,7 +10,8 @@
 //!     two, the edge is that of the farther     1 1/2               is hidden
 //! ```
 //!
-//! Cost: a look at each face that crosses the row for each such pixel, and mixing.
+//! Cost: mixing, and for each pixel with several surfaces a look at each face that crosses the row, except where one edge alone
+//! passes and leaves less than half of the pixel to its surface: that one is not at the centre.
 
 use core::{borrow::Borrow, marker::PhantomData, num::Wrapping};
 
@@ -28,7 +29,7 @@ use crate::{
         face_table::FaceTable,
         passes::{face_in_first_row, for_each_crossing, surroundings},
         shaded_span::run,
-        silhouette_row::EdgeRow,
+        silhouette_row::{EdgeColumn, EdgeRow},
     },
 };
 
@@ -123,6 +124,10 @@ impl<W: PixelWord, D: DepthWidth> Crowded<W, D> {
 /// Pixels with several surfaces for which the faces of the row are looked through at once, at most.
 const BATCH: usize = 8;
 
+/// The coverage from which on a surface that ends at one edge may be at the centre of the pixel: at 1/2, and coverage is known to
+/// 1/32.
+const BESIDE_CENTRE: Coverage = Coverage::MAX / 2 - Coverage::MAX / 32;
+
 /// Mixes all pixels of a row through which silhouettes pass, and leaves the columns empty.
 #[inline(never)]
 pub(super) fn mix_silhouettes<S, O, D, H, F>(
@@ -149,9 +154,10 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
         for (index, edge) in run.zip(columns) {
             area += edge.change;
             edge.change = 0;
-            let Some(face) = edge.face.checked_sub(1) else {
+            let marked = edge.face;
+            if marked == 0 {
                 continue;
-            };
+            }
             edge.face = 0;
             let part = (area.0 & ((1 << AREA_BITS) - 1)) * i32::from(Coverage::MAX) + (1 << (AREA_BITS - 1));
             let coverage = (part >> AREA_BITS) as Coverage;
@@ -163,10 +169,23 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
                 continue;
             };
             let (column, before) = (index as i32, O::reorder(edge.behind));
-            if *depth == D::FARTHEST {
+            let face = (marked & !EdgeColumn::<WordOf<H>, D>::ONE_EDGE) - 1;
+            let is_beside = marked & EdgeColumn::<WordOf<H>, D>::ONE_EDGE != 0 && coverage < BESIDE_CENTRE && whole > 0;
+            if is_beside && edge.depth < *depth {
+                // The surface that ends here is not at the centre, and hidden.
+                continue;
+            }
+            let behind = if *depth == D::FARTHEST {
                 // No surface is at the centre of the pixel.
+                Some(before)
+            } else if is_beside && !H::Attributes::VARY {
+                Some(O::reorder(*pixel))
+            } else {
+                None
+            };
+            if let Some(behind) = behind {
                 if let Some(word) = word_of_face(faces, face, [column, row.y], row.left, crossing) {
-                    mix::<_, _, _, _, F>(row, column, word, before, coverage);
+                    mix::<_, _, _, _, F>(row, column, word, behind, coverage);
                 }
             } else if whole == 0 {
                 // One surface, which is at the centre.

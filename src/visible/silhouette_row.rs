@@ -126,7 +126,8 @@ impl<C: ChannelColor> Silhouettes<C> for ByArea {
 pub struct EdgeColumn<W, D> {
     /// What the number of surfaces in the pixel has more than in the pixel before it, 2^18 for 1.
     pub(super) change: i32,
-    /// The face of the nearest edge that passes through the pixel, plus one; 0 where there is none.
+    /// The face of the nearest edge that passes through the pixel, plus one; 0 where there is none. With
+    /// [`ONE_EDGE`](Self::ONE_EDGE) if it is the only one.
     pub(super) face: u16,
     /// The depth of the nearest edge, at the pixel.
     pub(super) depth: D,
@@ -135,22 +136,31 @@ pub struct EdgeColumn<W, D> {
 }
 
 impl<W: PixelWord, D: DepthWidth> EdgeColumn<W, D> {
+    /// Beside the face, whose number is less than 2^15: one edge alone passes through the pixel, and it does from side to side, so
+    /// that the greater part of the pixel has its centre.
+    pub(super) const ONE_EDGE: u16 = 1 << 15;
+
     /// Adds to what the number of surfaces has more than in the pixel before it.
     #[inline(always)]
     fn add(&mut self, change: Wrapping<i32>) {
         self.change = (Wrapping(self.change) + change).0;
     }
 
-    /// Notes that an edge of a face passes through the pixel, which has a word that nothing of the scene was drawn to.
+    /// Notes that an edge passes through the pixel, which has a word that nothing of the scene was drawn to. `face` is the face of
+    /// the edge as the column keeps it.
     #[inline(always)]
-    fn mark(&mut self, face: u16, depth: D, word: W) {
+    fn mark(&mut self, face: u16, depth: D, word: Option<&W>) {
         if self.face == 0 {
-            self.behind = word;
-        } else if self.depth > depth || (self.depth == depth && self.face <= face + 1) {
-            // Of equally near ones that of the first face, in whichever order they come.
+            self.behind = word.copied().unwrap_or(W::ZERO);
+            (self.face, self.depth) = (face, depth);
             return;
         }
-        (self.face, self.depth) = (face + 1, depth);
+        self.face &= !Self::ONE_EDGE;
+        let face = face & !Self::ONE_EDGE;
+        // Of equally near ones that of the first face, in whichever order they come.
+        if self.depth < depth || (self.depth == depth && face < self.face) {
+            (self.face, self.depth) = (face, depth);
+        }
     }
 }
 
@@ -178,6 +188,8 @@ impl Entry for FaceEdges {
 pub(crate) struct EdgeRow<'c, W, D> {
     pub(super) columns: &'c mut [EdgeColumn<W, D>],
     pub(super) touched: Touched,
+    /// [`EdgeColumn::ONE_EDGE`], or 0 where a face of the frame is cut: the edges of those are not known.
+    one_edge: u16,
     /// The row in the picture, and its first column.
     y: i32,
     left: i32,
@@ -222,6 +234,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         Self {
             columns,
             touched,
+            one_edge: EdgeColumn::<W, D>::ONE_EDGE,
             y,
             left,
         }
@@ -231,6 +244,11 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     #[inline(always)]
     pub(super) fn is_untouched(&self) -> bool {
         self.touched.is_empty()
+    }
+
+    /// Does not tell pixels through which one edge alone passes from the others.
+    pub(crate) fn leave_out_single_edges(&mut self) {
+        self.one_edge = 0;
     }
 
     /// The first column of the row in the picture.
@@ -310,7 +328,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
             sign: edge.sign(),
         };
         if edge.is_long() || !self.add_narrow(words, edge, &part) {
-            self.add_any(words, edge, &part, rows, corners);
+            self.add_any(words, edge, part, rows, corners);
         }
     }
 
@@ -318,41 +336,42 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     #[inline(always)]
     fn add_narrow(&mut self, words: &[W], edge: &ActiveEdge<D>, part: &Part) -> bool {
         let Part { ends, height, sign } = *part;
-        let [first, last] = ends.map(|x| x >> X_BITS);
+        let ([first, last], sign) = (ends.map(|x| x >> X_BITS), Wrapping(sign));
         // Left of the row that is a huge number.
         let from = first as usize;
-        let (Some(columns), Some(words)) = (self.columns.get_mut(from..), words.get(from..)) else {
+        let columns = self.columns.get_mut(from..).and_then(<[_]>::first_chunk_mut);
+        let Some([here, other, next]) = columns else {
             return false;
         };
-        let sign = Wrapping(sign);
-        let (face, depth) = (edge.face(), edge.depth());
-        // One that ends at the boundary of two pixels passes through the left one alone.
-        let [_, right] = ends;
-        let marks_last = edge.is_drawn() && right & (X_ONE - 1) != 0;
-        match (last - first, columns, words) {
-            (0, [here, next, ..], [word, ..]) => {
+        let is_one = match last - first {
+            0 => {
                 let cell = Cell::within(ends, height);
                 here.add(sign * (cell.cover - cell.area));
-                next.add(sign * cell.area);
-                if marks_last {
-                    here.mark(face, depth, *word);
-                }
+                other.add(sign * cell.area);
+                true
             }
-            (1, [here, other, next, ..], [word, other_word, ..]) => {
+            1 => {
                 let [left, right] = Cell::in_two(ends, height);
                 here.add(sign * (left.cover - left.area));
                 other.add(sign * (left.area + right.cover - right.area));
                 next.add(sign * right.area);
-                if edge.is_drawn() {
-                    here.mark(face, depth, *word);
-                }
-                if marks_last {
-                    other.mark(face, depth, *other_word);
-                }
+                false
             }
             _ => return false,
-        }
+        };
         self.touched.add([first, last + 1]);
+        if edge.is_drawn() {
+            let (face, depth) = (face(self.one_edge, edge, part), edge.depth());
+            // One that ends at the boundary of two pixels passes through the left one alone.
+            let [_, right] = ends;
+            let marks_last = right & (X_ONE - 1) != 0;
+            if marks_last || !is_one {
+                here.mark(face, depth, words.get(from));
+            }
+            if marks_last && !is_one {
+                other.mark(face, depth, words.get(from + 1));
+            }
+        }
         true
     }
 
@@ -362,13 +381,13 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         &mut self,
         words: &[W],
         edge: &ActiveEdge<D>,
-        part: &Part,
+        part: Part,
         rows: [i32; 2],
         corners: &impl Fn(u16) -> Option<[&'v ScreenVertex<S, D>; 3]>,
     ) where
         D: 'v,
     {
-        let Some(columns) = self.add_part(part).filter(|_| edge.is_drawn()) else {
+        let Some(columns) = self.add_part(&part).filter(|_| edge.is_drawn()) else {
             return;
         };
         let mut depth = [edge.depth().units(), 0];
@@ -380,7 +399,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
             let ends = if edge.goes_up() { [to, from] } else { [from, to] };
             depth = self.depth::<S>(ends, rows, columns);
         }
-        self.mark(words, columns, edge.face(), depth);
+        self.mark(words, columns, face(self.one_edge, edge, &part), depth);
     }
 
     /// Adds a part of an edge. Returns the first and the last column that it passes through, `None` where it passes through no
@@ -426,8 +445,8 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         }
     }
 
-    /// Notes that an edge of a face passes through the columns from the first to the last; the depth in the first of them, and
-    /// what it gains from column to column.
+    /// Notes that an edge passes through the columns from the first to the last: its face as they keep it, the depth in the
+    /// first of them, and what it gains from column to column.
     #[inline]
     fn mark(&mut self, words: &[W], [first, last]: [i32; 2], face: u16, [mut depth, step]: [i32; 2]) {
         let columns = first as usize..last as usize + 1;
@@ -435,7 +454,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
             return;
         };
         for (edge, word) in columns.iter_mut().zip(words) {
-            edge.mark(face, D::from_units(depth), *word);
+            edge.mark(face, D::from_units(depth), Some(word));
             depth += step;
         }
     }
@@ -462,6 +481,13 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         let step = scaled(change, 1 << S::FRACTION_BITS, width);
         [left + step * (column + self.left - first), step]
     }
+}
+
+/// The face of an edge of which a part lies in a row, as columns keep it; with `one_edge` if the part goes through the row.
+#[inline(always)]
+fn face<D: DepthWidth>(one_edge: u16, edge: &ActiveEdge<D>, part: &Part) -> u16 {
+    let is_whole = part.height == 1 << COVER_BITS && edge.is_precise();
+    (edge.face() + 1) | if is_whole { one_edge } else { 0 }
 }
 
 /// change * part / whole, rounded down, for a part of a whole that is at least 1.

@@ -37,6 +37,17 @@ impl Touched {
     #[inline(always)]
     pub(super) fn add(&mut self, [first, last]: [i32; 2]) {
         self.is_empty = false;
+        let (bit, more) = (first as u32 % 32, (last - first) as u32);
+        if self.shift == 0 && bit + more < 32 {
+            self.set(first as usize / 32, (i32::MIN >> (more % 32)) as u32 >> bit);
+        } else {
+            self.add_many([first, last]);
+        }
+    }
+
+    /// [`add`](Self::add) for columns whose bits may lie in several words.
+    #[inline(never)]
+    fn add_many(&mut self, [first, last]: [i32; 2]) {
         let [first, last] = [first, last].map(|column| column as usize >> self.shift);
         let (from_first, up_to_last) = (u32::MAX >> (first % 32), (i32::MIN >> (last % 32)) as u32);
         if first / 32 == last / 32 {
