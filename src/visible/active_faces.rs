@@ -188,14 +188,18 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// Takes all faces to the row below a row, and gives the slots of those free that have ended.
     #[inline(never)]
     pub(super) fn take_all_down(&mut self, row: i32) {
-        let active = self.slots.get_mut(..usize::from(self.used)).unwrap_or_default();
-        for (slot, face) in (0..).zip(active) {
+        // What the loop changes is in a variable and not in `self`, which would take a register.
+        let (used, mut free) = (self.used, self.free);
+        let mut active = self.slots.get_mut(..usize::from(used)).unwrap_or_default();
+        while let [face, others @ ..] = active {
             face.next_span();
             if !face.leave_row(row) {
-                face.set_next_free(self.free);
-                self.free = slot;
+                face.set_next_free(free);
+                free = used - others.len() as u16 - 1;
             }
+            active = others;
         }
+        self.free = free;
     }
 
     /// Draws the spans of a row with depths, out of line: passes draw them too.

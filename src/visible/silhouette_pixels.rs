@@ -352,13 +352,12 @@ fn ends<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         (Some(of_edge), Some(corners)) => of_edge.into_iter().any(|corner| corners.contains(&corner)),
         _ => false,
     };
-    match (is_next_to(nearest), is_next_to(second)) {
-        (true, false) => true,
-        (false, true) => false,
-        _ => {
-            let depth = depth.units();
-            depth - second.depth.units() >= nearest.depth.units() - depth
-        }
+    let distance = |surface: &Surface<WordOf<H>, D>| (depth.units() - surface.depth.units()).abs();
+    // In this order, because for most edges the second one needs no look.
+    if distance(second) >= distance(nearest) {
+        is_next_to(nearest) || !is_next_to(second)
+    } else {
+        is_next_to(nearest) && !is_next_to(second)
     }
 }
 
