@@ -394,6 +394,16 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         Some((corners?, word))
     }
 
+    #[inline]
+    fn word(&self, node: u16) -> Option<<L::Color as BandColor>::Word> {
+        match &self.first_skin {
+            Some((skin, uniforms, mesh)) if usize::from(node) < self.first_faces.len() => {
+                L::Shading::face(skin, uniforms, mesh, usize::from(node))
+            }
+            _ => self.other_face(node).map(|(_, word)| word),
+        }
+    }
+
     type CornerAttributes<'c>
         = <StoredOf<L> as Stored<AttributesOf<L>>>::Attributes<'c>
     where

@@ -47,14 +47,28 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         let faces = SilhouettesOf::<L>::faces(tables.faces);
         let rows = SilhouettesOf::<L>::faces(tables.rows);
         let active = SilhouettesOf::<L>::active(&mut tables.row.active);
+        let columns = SilhouettesOf::<L>::columns(&mut tables.row.columns);
+        let mut edges = EdgeRow::new(columns, row.words().len(), row.start());
+        self.add_silhouettes_of_row(&mut edges, row, active, [faces, rows], follows);
+        edges
+    }
+
+    /// Adds the silhouettes of a row to its columns.
+    #[inline(always)]
+    fn add_silhouettes_of_row<O: Order>(
+        &self,
+        edges: &mut EdgeRowOf<'_, L>,
+        row: &DepthRow<'_, L::Color, O, L::Depth>,
+        active: &mut [ActiveEdge<L::Depth>],
+        [faces, rows]: [&mut [FaceEdges]; 2],
+        follows: bool,
+    ) {
         if !follows {
             self.find_silhouettes(faces, rows, row.y());
         }
-        let columns = SilhouettesOf::<L>::columns(&mut tables.row.columns);
-        let mut edges = EdgeRow::new(columns, row.words().len(), row.start());
         let index = offset_from(self.viewport.top, row.y()) as usize;
         let Some((mut node, mut used)) = rows.get(index).map(|row| (row.next(), row.active())) else {
-            return edges;
+            return;
         };
         if rows.first().is_some_and(|first| first.is_cut()) {
             edges.leave_out_single_edges();
@@ -62,7 +76,7 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
         let [_, bottom] = edges.sides::<L::Precision>();
         let fraction_bits = <L::Precision as SubPixel>::FRACTION_BITS;
         while let Some(face) = faces.get(usize::from(node)).copied() {
-            let begun = self.begin_edges(&mut edges, row, (node, face), (active, &mut used), follows);
+            let begun = self.begin_edges(edges, row, (node, face), (active, &mut used), follows);
             if let Some((face, units)) = begun {
                 // At the lower side of the row, or below it.
                 let next = index + ((units - bottom) >> fraction_bits) as usize + 1;
@@ -79,7 +93,6 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
                 *head = head.with_active(used);
             }
         }
-        edges
     }
 
     /// Makes the edges of a face active that begin in a row, also those that began above it where rows do not follow. Where

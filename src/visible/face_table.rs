@@ -55,6 +55,8 @@ pub trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     fn face(&self, node: u16) -> Option<ColoredFace<'_, S, D, H>> {
         self.face_of_first_model(node).or_else(|| self.other_face(node))
     }
+    /// The colour of the face of a node; `None` where there is no such node.
+    fn word(&self, node: u16) -> Option<WordOf<H>>;
     /// The attributes of a corner, or where they are.
     type CornerAttributes<'c>: Copy + Borrow<H::Attributes>
     where

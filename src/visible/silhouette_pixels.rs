@@ -419,7 +419,7 @@ fn word_of_face<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D
     crossing: &impl Crossing<S, H>,
 ) -> Option<WordOf<H>> {
     if !H::Attributes::VARY {
-        return faces.face(node).map(|(_, word)| word);
+        return faces.word(node);
     }
     let mut found = None;
     crossing.for_each(|face| {
