@@ -441,6 +441,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         match (end >> X_BITS) - (start >> X_BITS) {
             0 if start >= 0 => add(Cell::within(ends, height)),
             1 if start >= 0 => Cell::in_two(ends, height).into_iter().for_each(add),
+            2 if start >= 0 => Cell::in_three(ends, height).into_iter().for_each(add),
             _ => for_each_visible_cell(ends, height, width, add),
         }
     }

@@ -84,7 +84,7 @@ impl Cell {
 
     /// The cells of a part of an edge that lies in three neighbouring pixels. Cost: two divisions and no branch.
     #[inline(always)]
-    pub(super) fn in_three([start, end]: [i32; 2], height: i32) -> [Self; 3] {
+    pub(crate) fn in_three([start, end]: [i32; 2], height: i32) -> [Self; 3] {
         let (x, from, to) = (start >> X_BITS, start & (X_ONE - 1), end & (X_ONE - 1));
         let length = end - start;
         let (first, _) = divide_to_zero(height * (X_ONE - from), length);
