@@ -7,6 +7,8 @@
 //! [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes another [`Visibility`]:
 //!
 //! - [`DepthBuffer`]: a depth and a face for each pixel (Catmull 1974). Where memory is plenty.
+//! - [`DepthSort`]: faces sorted by depth and painted from back to front, with splits (Newell, Newell and Sancha 1972). Where
+//!   few faces overlap.
 //! - [`OneDepth`]: one depth, pixel by pixel (Rogers 1985). Where no memory is left.
 //! - [`RayCasting`]: a ray for each pixel through a tree of boxes (Appel 1968; Rubin and Whitted 1980). For huge scenes in few
 //!   pixels.
@@ -46,7 +48,7 @@ mod silhouette_row;
 mod touched_columns;
 mod visibility;
 
-pub use hidden_surfaces::{DepthBuffer, OneDepth, RayCasting, TileBins, Warnock};
+pub use hidden_surfaces::{DepthBuffer, DepthSort, DepthSortCounters, OneDepth, RayCasting, TileBins, Warnock};
 pub use visibility::Visibility;
 
 pub(crate) use active_face::ActiveFace;

@@ -49,6 +49,7 @@ mod textures;
 mod translucent;
 mod unclipped_faces;
 mod visibility;
+mod visibility_depth_sort;
 mod visibility_shading;
 mod visibility_warnock;
 mod wireframes;

@@ -9,7 +9,7 @@ use zrow::{
     geometry::{Sub4, Sub8, TooSmall},
     scan::{FillRule, Location, Polygons},
     scene::{Camera, DepthWidth, Look, Memory, Model, Prepared},
-    visible::{DepthBuffer, OneDepth, RayCasting, TileBins, Visibility, Warnock},
+    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, TileBins, Visibility, Warnock},
 };
 
 use crate::common::meshes::{self, Mesh};
@@ -18,11 +18,11 @@ use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{Format, LookIn, Scene, area, color_of};
 use crate::snapped_faces::{camera, snapped, standard_pose};
 
-const WIDTH: u32 = 64;
-const HEIGHT: u32 = 48;
+pub const WIDTH: u32 = 64;
+pub const HEIGHT: u32 = 48;
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
-type MemoryOf<S, D> = Memory<LookIn<S, D>, 6_000, 1_000, { WIDTH as usize }, { HEIGHT as usize }, 200>;
+pub type MemoryOf<S, D> = Memory<LookIn<S, D>, 6_000, 1_000, { WIDTH as usize }, { HEIGHT as usize }, 200>;
 
 /// The colour behind all faces.
 const BEHIND: Rgb888 = Rgb888::new(0xff, 0xff, 0xff);
@@ -31,7 +31,7 @@ const BEHIND: Rgb888 = Rgb888::new(0xff, 0xff, 0xff);
 type PointTest = fn(&[&[Point]], FillRule, &Point) -> Location;
 
 /// The picture in bands of this size, from below or from above, each drawn by the closure.
-fn in_bands([width, height]: [u32; 2], upwards: bool, mut draw: impl FnMut(&mut Band<'_, Rgb888>)) -> Vec<u32> {
+pub fn in_bands([width, height]: [u32; 2], upwards: bool, mut draw: impl FnMut(&mut Band<'_, Rgb888>)) -> Vec<u32> {
     let mut drawn = vec![0; PIXELS];
     let mut tops: Vec<u32> = (0..HEIGHT).step_by(height as usize).collect();
     if upwards {
@@ -52,7 +52,7 @@ fn in_bands([width, height]: [u32; 2], upwards: bool, mut draw: impl FnMut(&mut 
 }
 
 /// Compares the pictures of a method with that of the depth row.
-fn check<L: Look<Color = Rgb888, Shading = Rgb888>>(
+pub fn check<L: Look<Color = Rgb888, Shading = Rgb888>>(
     prepared: &mut Prepared<'_, '_, L>,
     expected: &[u32],
     name: &str,
@@ -139,11 +139,26 @@ fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: 
         assert!(shown == 0 || method.points_tested() > 0);
     }
     check_warnock(&mut prepared, &expected);
+    let mut without_parts = DepthSort::<1_200, 0>::new();
+    check(&mut prepared, &expected, "depth sort without parts", &mut without_parts);
+    assert_eq!(without_parts.counters().splits, 0);
+    check(
+        &mut prepared,
+        &expected,
+        "depth sort, 7 conditions",
+        &mut DepthSort::<1_200, 7>::new(),
+    );
+    check(
+        &mut prepared,
+        &expected,
+        "depth sort",
+        &mut DepthSort::<1_200, 2_000>::new(),
+    );
     shown
 }
 
 /// Draws a mesh by all methods, with every precision and width of depths.
-fn check_formats(meshes: Vec<Mesh>, pose: zrow::scene::Pose) -> usize {
+pub fn check_formats(meshes: Vec<Mesh>, pose: zrow::scene::Pose) -> usize {
     let (scene, camera) = (Scene::new(meshes), camera(area(WIDTH, HEIGHT)));
     let models = scene.models(pose);
     check_all::<Sub4, u32>(&models, &camera);

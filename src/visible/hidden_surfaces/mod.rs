@@ -1,6 +1,7 @@
 //! The methods that find out which face is seen in each pixel, one file or folder each.
 
 mod depth_buffer;
+mod depth_sort;
 mod one_depth;
 mod picking;
 mod placed;
@@ -9,6 +10,7 @@ mod tile_bins;
 mod warnock;
 
 pub use depth_buffer::DepthBuffer;
+pub use depth_sort::{DepthSort, DepthSortCounters};
 pub use one_depth::OneDepth;
 pub use ray_casting::RayCasting;
 pub use tile_bins::TileBins;

@@ -1,0 +1,110 @@
+//! Paints faces and parts of faces.
+
+use core::ops::Range;
+
+use crate::{
+    shade::Shading,
+    view::{DepthWidth, ScreenPrecision},
+    visible::{face_table::FaceTable, hidden_surfaces::placed::face_from_row, painter::Painter},
+};
+
+use super::{
+    others::{InRow, Others},
+    pairs::Relation,
+    sort::Sort,
+    waiting::PartConditions,
+};
+
+impl<S, D, H, F> Sort<'_, S, D, H, F>
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+{
+    /// Paints entries that begin with the first one, each where it is not behind another one of them, and takes them out of
+    /// the list.
+    pub(super) fn paint(&mut self, entries: Range<usize>, painter: &mut impl Painter<S, H>) {
+        for entry in entries.clone() {
+            if entries.len() == 1 && !self.waiting.is_part(entry) {
+                self.paint_whole(entry, painter);
+            } else {
+                self.paint_part(entry, &entries, painter);
+            }
+        }
+        self.waiting.remove(entries);
+    }
+
+    /// Paints a whole face.
+    fn paint_whole(&mut self, entry: usize, painter: &mut impl Painter<S, H>) {
+        self.for_each_row(entry, |_, (face, [start, end], row)| {
+            if start < end {
+                painter.span(face, row, [start, end]);
+            }
+        });
+    }
+
+    /// Paints an entry where its conditions hold and it is not behind another one of some entries.
+    fn paint_part(&mut self, entry: usize, entries: &Range<usize>, painter: &mut impl Painter<S, H>) {
+        let (mut others, conditions) = (Others::new(), self.waiting.conditions(entry));
+        self.for_each_row(entry, |this, (face, [mut column, end], row)| {
+            let mut start = column;
+            while column < end {
+                let (is_painted, until) = this.run((&conditions, entries), &mut others, (face, [column, end], row));
+                if !is_painted {
+                    if start < column {
+                        painter.span(face, row, [start, column]);
+                    }
+                    start = until;
+                }
+                column = until;
+            }
+            if start < end {
+                painter.span(face, row, [start, end]);
+            }
+        });
+    }
+
+    /// Visits the rows of a face that lie in the window, with the columns that do.
+    fn for_each_row(&mut self, entry: usize, mut visit: impl FnMut(&mut Self, InRow<'_, S, H>)) {
+        let window = self.window;
+        let node = self.waiting.node(entry);
+        let placed = node.and_then(|node| face_from_row(self.faces, node, [window.left, window.top]));
+        let Some((mut face, first_row)) = placed else {
+            return;
+        };
+        for row in first_row..window.bottom {
+            let columns = face.span().map(|column| column.max(0).min(window.width() as i32));
+            visit(self, (&face, columns, row));
+            face.next_span();
+            if !face.leave_row(row) {
+                return;
+            }
+        }
+    }
+
+    /// Whether a face with conditions is painted at the first of some columns, together with other entries, and the first column after it
+    /// where that may be different.
+    fn run(
+        &mut self,
+        (conditions, entries): (&PartConditions, &Range<usize>),
+        others: &mut Others,
+        (face, [column, end], row): InRow<'_, S, H>,
+    ) -> (bool, i32) {
+        let (faces, window, waiting) = (self.faces, self.window, &self.waiting);
+        let pixels = &mut self.counters.pixels_compared;
+        let (holds, mut until) = others.conditions_hold(faces, window, conditions, (face, [column, end], row), pixels);
+        if !holds {
+            return (false, until);
+        }
+        let nodes = entries.clone().filter_map(|entry| waiting.node(entry));
+        for node in nodes.filter(|node| *node != face.node) {
+            let (relation, end) = others.relation(faces, window, node, (face, [column, end], row), pixels);
+            if relation == Some(Relation::Behind) {
+                return (false, end);
+            }
+            until = until.min(end);
+        }
+        (true, until)
+    }
+}
