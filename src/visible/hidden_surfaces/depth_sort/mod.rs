@@ -60,6 +60,7 @@ pub use counters::DepthSortCounters;
 
 use crate::{
     geometry::{TooSmall, Window},
+    scan::polygon::edge_table::shell_sort,
     shade::Shading,
     view::{DepthWidth, ScreenPrecision},
     visible::{
@@ -130,7 +131,7 @@ impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> Visibility<D> for D
         let Some(nodes) = self.nodes.get_mut(..count) else {
             return Err(TooSmall::Faces(count));
         };
-        nodes.sort_unstable_by(|one, other| from_back(faces, *one, *other));
+        shell_sort(nodes, |node| from_back(faces, *node));
         let waiting = Waiting::new(&mut self.nodes, count, &mut self.conditions);
         Sort::new(faces, window, waiting, &mut self.counters).paint_all(painter);
         Ok(())

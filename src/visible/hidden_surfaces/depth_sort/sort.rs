@@ -1,6 +1,6 @@
 //! The list of faces is painted from its farthest end, and what is in the way of its first face is moved or split.
 
-use core::{cmp::Ordering, marker::PhantomData};
+use core::{cmp::Reverse, marker::PhantomData};
 
 use crate::{
     geometry::Window,
@@ -16,16 +16,14 @@ use super::{
     waiting::Waiting,
 };
 
-/// The order in which faces wait: by their farthest corners. Of equally far ones the one that is seen where both are as near
-/// comes last.
+/// By what faces that wait are sorted: the depth of their farthest corner. Of equally far ones the one that is seen where both
+/// are as near comes last.
 pub(super) fn from_back<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     faces: &impl FaceTable<S, D, H>,
-    one: u16,
-    other: u16,
-) -> Ordering {
-    let farthest = |node| Extents::of(faces, node).map(|face| face.farthest());
-    let order = || faces.order(other).cmp(&faces.order(one));
-    farthest(one).cmp(&farthest(other)).then_with(order)
+    node: u16,
+) -> (Option<i32>, Reverse<u16>) {
+    let farthest = Extents::of(faces, node).map(|face| face.farthest());
+    (farthest, Reverse(faces.order(node)))
 }
 
 /// The faces of a window while they are painted.
@@ -170,7 +168,8 @@ where
         let (Some(node), Some(other)) = (waiting.node(waiting.first()), waiting.node(other)) else {
             return false;
         };
-        let is_split = waiting.split_first(other, |waiting| from_back(faces, waiting, node).is_le());
+        let behind = from_back(faces, node);
+        let is_split = waiting.split_first(other, |waiting| from_back(faces, waiting) <= behind);
         add(&mut self.counters.splits, is_split.into());
         is_split
     }

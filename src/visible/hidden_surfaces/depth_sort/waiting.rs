@@ -137,7 +137,8 @@ impl<'w> Waiting<'w> {
     pub(super) fn move_to_front(&mut self, entry: usize) {
         let first = self.entries.start;
         if let Some(nodes) = self.nodes.get_mut(first..entry + 1) {
-            nodes.rotate_right(1);
+            let moved = nodes.last().copied();
+            insert_at_front(nodes, moved.unwrap_or_default());
         }
         self.renumber(|moved| match moved {
             moved if moved == entry => first,
@@ -153,7 +154,10 @@ impl<'w> Waiting<'w> {
         while let Some(condition) = self.conditions.get(index).filter(|_| index < self.count) {
             if entries.contains(&usize::from(condition.entry)) {
                 self.count -= 1;
-                self.conditions.swap(index, self.count);
+                let last = self.conditions.get(self.count).copied();
+                if let (Some(slot), Some(last)) = (self.conditions.get_mut(index), last) {
+                    *slot = last;
+                }
             } else {
                 index += 1;
             }
@@ -201,8 +205,7 @@ impl<'w> Waiting<'w> {
         let nodes = self.nodes.get(sorted.clone())?;
         let entry = sorted.start + nodes.partition_point(|node| is_before(*node));
         if let Some(nodes) = self.nodes.get_mut(entry..self.entries.end + 1) {
-            nodes.rotate_right(1);
-            *nodes.first_mut()? = node;
+            insert_at_front(nodes, node);
             self.entries.end += 1;
             self.renumber(|moved| if moved >= entry { moved + 1 } else { moved });
             return Some(entry);
@@ -210,8 +213,7 @@ impl<'w> Waiting<'w> {
         // Entries that were painted have left room.
         let first = self.entries.start.checked_sub(1)?;
         let nodes = self.nodes.get_mut(first..entry)?;
-        nodes.rotate_left(1);
-        *nodes.last_mut()? = node;
+        insert_at_back(nodes, node);
         self.entries.start = first;
         self.renumber(|moved| if moved < entry { moved - 1 } else { moved });
         Some(entry - 1)
@@ -222,5 +224,19 @@ impl<'w> Waiting<'w> {
         for condition in self.conditions.iter_mut().take(self.count) {
             condition.entry = number(condition.entry.into()) as u16;
         }
+    }
+}
+
+/// Puts a node before others, the last of which is lost.
+fn insert_at_front(nodes: &mut [u16], mut node: u16) {
+    for slot in nodes {
+        core::mem::swap(slot, &mut node);
+    }
+}
+
+/// Puts a node behind others, the first of which is lost.
+fn insert_at_back(nodes: &mut [u16], mut node: u16) {
+    for slot in nodes.iter_mut().rev() {
+        core::mem::swap(slot, &mut node);
     }
 }

@@ -4,7 +4,7 @@ use zrow::{
     scan::Polygons,
     scene::{Deep, Fine, Look, Prepared},
     shade::{Texels, Textured},
-    visible::{DepthBuffer, OneDepth, RayCasting, TileBins, Visibility},
+    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, TileBins, Visibility, Warnock},
 };
 use zrow_panics_firmware::{any, keep};
 
@@ -24,6 +24,11 @@ fn methods<L: Look, O: Order + 'static>() {
     default::<DepthBuffer<L::Depth, 4_800>>();
     visibility::<L, O, DepthBuffer<L::Depth, 4_800>>();
 
+    keep(DepthSort::<500, 40>::new());
+    keep(DepthSort::<500, 40>::counters(any()));
+    default::<DepthSort<500, 40>>();
+    visibility::<L, O, DepthSort<500, 40>>();
+
     keep(OneDepth::new(Polygons::winding_number));
     keep(OneDepth::points_tested(any()));
     visibility::<L, O, OneDepth>();
@@ -36,6 +41,17 @@ fn methods<L: Look, O: Order + 'static>() {
     keep(TileBins::<L::Depth, 300, 2_000>::new());
     default::<TileBins<L::Depth, 300, 2_000>>();
     visibility::<L, O, TileBins<L::Depth, 300, 2_000>>();
+
+    keep(Warnock::<500>::new());
+    keep(Warnock::<500>::windows(any()));
+    keep(Warnock::<500>::blocks(any()));
+    keep(Warnock::<500>::pixels_compared(any()));
+    default::<Warnock<500>>();
+    visibility::<L, O, Warnock<500>>();
+    keep(Warnock::<500, _>::by_line_equations());
+    keep(Warnock::<500, _>::by_ray_crossings());
+    keep(Warnock::<500, _>::by_angle_sum());
+    keep(Warnock::<500, _>::by_region_codes());
 }
 
 #[inline(never)]
