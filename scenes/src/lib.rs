@@ -38,6 +38,7 @@ pub mod shapes;
 #[cfg(test)]
 mod shown;
 mod sine;
+pub mod squares;
 pub mod standard;
 pub mod strokes;
 pub mod teapot;

@@ -198,7 +198,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         if window.is_empty() {
             return Ok(());
         }
-        let mut painter = BandPainter::new(&self.faces, &window, band, self.depths);
+        let mut painter = BandPainter::new(&self.faces, &window, band, self.depths, self.active);
         method.draw(&self.faces, &window, &mut painter)
     }
 

@@ -44,7 +44,7 @@ const BACK_OFF_FRAMES: u8 = 16;
 /// The active list. `F` are its slots, an array of [`ActiveFace`]s or, where they are used, a slice of any length: as many
 /// faces can cross a row. A row with more is drawn in [passes](Passes).
 #[derive(Debug)]
-pub(crate) struct ActiveFaces<F: ?Sized> {
+pub struct ActiveFaces<F: ?Sized> {
     /// All slots that are in use, or have been, lie before this one.
     pub(super) used: u16,
     /// Head of the list of free slots, which ends at the first slot that was never used.
@@ -67,8 +67,15 @@ pub(crate) struct ActiveFaces<F: ?Sized> {
     pub(super) slots: F,
 }
 
+#[cfg(feature = "defmt")]
+impl<F: ?Sized> defmt::Format for ActiveFaces<F> {
+    fn format(&self, formatter: defmt::Formatter<'_>) {
+        defmt::write!(formatter, "ActiveFaces, {} in use", self.used);
+    }
+}
+
 /// An active list with any number of slots.
-pub(crate) type ActiveList<S, H> = ActiveFaces<[ActiveFace<S, H>]>;
+pub type ActiveList<S, H> = ActiveFaces<[ActiveFace<S, H>]>;
 
 impl<S: ScreenPrecision, H: Shading, const N: usize> ActiveFaces<[ActiveFace<S, H>; N]> {
     pub(crate) const EMPTY: Self = Self {
@@ -417,7 +424,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// attempts are left.
     #[cold]
     #[inline(never)]
-    fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, row: i32, may_be_disjoint: bool) {
+    pub(super) fn enter<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, row: i32, may_be_disjoint: bool) {
         self.used = 0;
         self.free = 0;
         self.first = NONE;

@@ -12,6 +12,7 @@
 //! - [`OneDepth`]: one depth, pixel by pixel (Rogers 1985). Where no memory is left.
 //! - [`RayCasting`]: a ray for each pixel through a tree of boxes (Appel 1968; Rubin and Whitted 1980). For huge scenes in few
 //!   pixels.
+//! - [`SpanScanLine`]: depths compared at the ends of intervals (Watkins 1970). For few large faces that take long to shade.
 //! - [`TileBins`]: lists of faces for tiles of 16 x 16 pixels, and a depth buffer of one tile (Fuchs and others 1989). For wide
 //!   panels, and for several cores.
 //! - [`Warnock`]: quarters of the window until one face is seen in them (Warnock 1969). Where faces are large.
@@ -48,7 +49,9 @@ mod silhouette_row;
 mod touched_columns;
 mod visibility;
 
-pub use hidden_surfaces::{DepthBuffer, DepthSort, DepthSortCounters, OneDepth, RayCasting, TileBins, Warnock};
+pub use hidden_surfaces::{
+    DepthBuffer, DepthSort, DepthSortCounters, OneDepth, RayCasting, SpanScanLine, TileBins, Warnock,
+};
 pub use visibility::Visibility;
 
 pub(crate) use active_face::ActiveFace;

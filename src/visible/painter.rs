@@ -1,14 +1,14 @@
 //! What a method of visibility hands over: which columns of a row show a face.
 
-use core::marker::PhantomData;
-
 use crate::{
     band::Band,
     geometry::Window,
     shade::{Planes, Shading},
     surface::Order,
     view::{DepthWidth, ScreenPrecision},
-    visible::{DepthRow, active_face::ActiveFace, face_table::FaceTable, shaded_span::shaded_row},
+    visible::{
+        DepthRow, active_face::ActiveFace, active_faces::ActiveList, face_table::FaceTable, shaded_span::shaded_row,
+    },
 };
 
 // Not re-exported: methods are handed one.
@@ -17,32 +17,49 @@ pub trait Painter<S: ScreenPrecision, H: Shading> {
     /// Takes the columns of a row in which a face is seen. Columns count from the left side of the window that is drawn; the
     /// face's depth and its attributes do, too.
     fn span(&mut self, face: &ActiveFace<S, H>, row: i32, columns: [i32; 2]);
+
+    /// The active list of the frame, for methods that carry faces on from row to row. `None` where there is none.
+    fn active(&mut self) -> Option<&mut ActiveList<S, H>> {
+        None
+    }
+
+    /// Takes the columns of a row in which the face in a slot of the [active](Self::active) list is seen, as
+    /// [`span`](Self::span) does.
+    fn span_of_active(&mut self, _slot: u16, _row: i32, _columns: [i32; 2]) {}
 }
 
 /// Shades the faces that are seen into a band.
-pub(crate) struct BandPainter<'p, 'b, S, D: DepthWidth, H: Shading, F, O: Order> {
+pub(crate) struct BandPainter<'p, 'b, S: ScreenPrecision, D: DepthWidth, H: Shading, F, O: Order> {
+    target: BandRows<'p, 'b, D, H, F, O>,
+    active: &'p mut ActiveList<S, H>,
+}
+
+/// The rows of a band into which the faces of a table are shaded.
+struct BandRows<'p, 'b, D: DepthWidth, H: Shading, F, O: Order> {
     faces: &'p F,
     window: &'p Window,
     band: &'p mut Band<'b, H::Color, O>,
     /// The depths of a row, which has them but does not use them.
     depths: &'p mut [D],
-    precision: PhantomData<S>,
 }
 
-impl<'p, 'b, S, D: DepthWidth, H: Shading, F, O: Order> BandPainter<'p, 'b, S, D, H, F, O> {
-    /// Shades the faces of a table into a window of a band.
+impl<'p, 'b, S: ScreenPrecision, D: DepthWidth, H: Shading, F, O: Order> BandPainter<'p, 'b, S, D, H, F, O> {
+    /// Shades the faces of a table into a window of a band. The row of depths and the active list are those of the frame.
     pub(crate) fn new(
         faces: &'p F,
         window: &'p Window,
         band: &'p mut Band<'b, H::Color, O>,
         depths: &'p mut [D],
+        active: &'p mut ActiveList<S, H>,
     ) -> Self {
         Self {
-            faces,
-            window,
-            band,
-            depths,
-            precision: PhantomData,
+            target: BandRows {
+                faces,
+                window,
+                band,
+                depths,
+            },
+            active,
         }
     }
 }
@@ -55,7 +72,27 @@ where
     F: FaceTable<S, D, H>,
     O: Order,
 {
-    fn span(&mut self, face: &ActiveFace<S, H>, y: i32, [start, end]: [i32; 2]) {
+    fn span(&mut self, face: &ActiveFace<S, H>, row: i32, columns: [i32; 2]) {
+        self.target.shade(face, row, columns);
+    }
+
+    fn active(&mut self) -> Option<&mut ActiveList<S, H>> {
+        Some(self.active)
+    }
+
+    fn span_of_active(&mut self, slot: u16, row: i32, columns: [i32; 2]) {
+        if let Some(face) = self.active.in_use().get(usize::from(slot)) {
+            self.target.shade(face, row, columns);
+        }
+    }
+}
+
+impl<D: DepthWidth, H: Shading, F, O: Order> BandRows<'_, '_, D, H, F, O> {
+    /// Shades columns of a row in which a face is seen.
+    fn shade<S: ScreenPrecision>(&mut self, face: &ActiveFace<S, H>, y: i32, [start, end]: [i32; 2])
+    where
+        F: FaceTable<S, D, H>,
+    {
         let Some(mut row) = DepthRow::new(self.band, self.window, y, self.depths) else {
             return;
         };

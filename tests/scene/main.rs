@@ -51,5 +51,6 @@ mod unclipped_faces;
 mod visibility;
 mod visibility_depth_sort;
 mod visibility_shading;
+mod visibility_spans;
 mod visibility_warnock;
 mod wireframes;

@@ -9,7 +9,7 @@ use zrow::{
     geometry::{Sub4, Sub8, TooSmall},
     scan::{FillRule, Location, Polygons},
     scene::{Camera, DepthWidth, Look, Memory, Model, Prepared},
-    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, TileBins, Visibility, Warnock},
+    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock},
 };
 
 use crate::common::meshes::{self, Mesh};
@@ -142,17 +142,22 @@ fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: 
     let mut without_parts = DepthSort::<1_200, 0>::new();
     check(&mut prepared, &expected, "depth sort without parts", &mut without_parts);
     assert_eq!(without_parts.counters().splits, 0);
+    let mut with_seven = DepthSort::<1_200, 7>::new();
+    check(&mut prepared, &expected, "depth sort, 7 conditions", &mut with_seven);
+    let mut sort = DepthSort::<1_200, 2_000>::new();
+    check(&mut prepared, &expected, "depth sort", &mut sort);
+    check(&mut prepared, &expected, "spans", &mut SpanScanLine::<200>::new());
     check(
         &mut prepared,
         &expected,
-        "depth sort, 7 conditions",
-        &mut DepthSort::<1_200, 7>::new(),
+        "8 spans sorted",
+        &mut SpanScanLine::<8>::new(),
     );
     check(
         &mut prepared,
         &expected,
-        "depth sort",
-        &mut DepthSort::<1_200, 2_000>::new(),
+        "no span sorted",
+        &mut SpanScanLine::<0>::new(),
     );
     shown
 }

@@ -6,6 +6,7 @@ mod one_depth;
 mod picking;
 mod placed;
 mod ray_casting;
+mod span_scan_line;
 mod tile_bins;
 mod warnock;
 
@@ -13,6 +14,7 @@ pub use depth_buffer::DepthBuffer;
 pub use depth_sort::{DepthSort, DepthSortCounters};
 pub use one_depth::OneDepth;
 pub use ray_casting::RayCasting;
+pub use span_scan_line::SpanScanLine;
 pub use tile_bins::TileBins;
 pub use warnock::Warnock;
 

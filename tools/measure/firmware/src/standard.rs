@@ -9,6 +9,7 @@ use zrow::{
     draw::{Picture, PictureSlot},
     scene::{Antialiased, InstructionSet, Look, Memory, Multisampled, Prepared, SceneItem},
     shade::{Bilinear, FlatLit, Gouraud, LitTextured, Texels, Textured},
+    visible::Visibility,
 };
 use zrow_scenes::{
     effects::{SmoothPot, SurfacePot},
@@ -174,6 +175,17 @@ where
         });
     }
 
+    /// Draws a frame by another method than the depth row, and hands over its rows.
+    #[inline(always)]
+    pub fn rows_by(&mut self, frame: u32, method: &mut impl Visibility<L::Depth>, output: impl FnMut(&[u16])) {
+        let draw = |prepared: &mut Prepared<'_, '_, L>, band: &mut Band<'_, Rgb565>| {
+            if prepared.draw_by(method, band).is_err() {
+                report::exit(false)
+            }
+        };
+        self.drawn_rows(frame, |_| {}, draw, output);
+    }
+
     /// Draws a frame as the only item of a picture.
     pub fn draw_item(&mut self, frame: u32) {
         let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {
@@ -255,7 +267,7 @@ where
 }
 
 /// The checksum of all pixels of all frames. `rows` draws a frame and hands over each of its rows.
-fn checksum_of_frames(mut rows: impl FnMut(u32, &mut dyn FnMut(&[u16]))) -> u32 {
+pub fn checksum_of_frames(mut rows: impl FnMut(u32, &mut dyn FnMut(&[u16]))) -> u32 {
     let mut sum = Checksum::default();
     for frame in 0..FRAMES {
         rows(frame, &mut |words| sum.add(words.iter().copied()));
