@@ -301,11 +301,38 @@ where
         let mut runs = DividedRuns::new::<S, D, H>(face, face.span(), [column, self.row.y], self.row.left);
         self.faces.count().divisions(1);
         while column < end {
-            let run = runs.next_run(column);
-            self.faces.count().divisions(1);
-            self.fill_part(face, [column, column, run.end.min(end)], Some(&run));
-            column = run.end;
+            if runs.is_whole(column) {
+                column = self.fill_whole_runs(face, &mut runs, [column, end]);
+            }
+            if column < end {
+                let run = runs.next_run(column);
+                self.faces.count().divisions(1);
+                self.fill_part(face, [column, column, run.end.min(end)], Some(&run));
+                column = run.end;
+            }
         }
+    }
+
+    /// Fills whole runs that lie in the row, from a column on and before another one, without depths. Returns the column after
+    /// them.
+    fn fill_whole_runs(
+        &mut self,
+        face: &ActiveFace<S, H>,
+        runs: &mut DividedRuns<'_, H::Attributes>,
+        [mut column, end]: [i32; 2],
+    ) -> i32 {
+        let range = column as usize..runs.last_column().min(end) as usize;
+        let words = self.row.words.get_mut(range).unwrap_or_default();
+        let Some(skin) = self.faces.skin(face.node).copied() else {
+            return end;
+        };
+        for words in blocks_of(words) {
+            let run = runs.next_whole_run();
+            self.faces.count().divisions(1);
+            varying::<S, D, H, F, O>(self.faces, &skin, face.word, run).fill_block(words);
+            column += WHOLE_RUN;
+        }
+        column
     }
 }
 

@@ -26,6 +26,7 @@ pub fn all() -> Vec<Case> {
         .chain(effects::budgeted())
         .chain(looks())
         .chain(crowds())
+        .chain(squares())
         .chain(pictures())
         .chain(contours())
         .chain(instruments())
@@ -375,6 +376,29 @@ fn crowds() -> impl Iterator<Item = Case> {
                     peer: Peer::None,
                 },
             })
+        })
+    })
+}
+
+/// Few large faces with a texture that hide each other: by the depth row, and by intervals, which shade each pixel once.
+fn squares() -> impl Iterator<Item = Case> {
+    let variants = [
+        ("draw", "", "by the depth row"),
+        ("intervals", ".intervals", "by intervals"),
+    ];
+    [V7EM, V6M].into_iter().flat_map(move |target| {
+        variants.into_iter().map(move |(variant, suffix, method)| Case {
+            name: format!("scene.squares{suffix}"),
+            title: format!("40 large textured faces, four deep in the mean pixel, {method}"),
+            target,
+            budget: None,
+            cycles_budget: None,
+            source: Source::Count {
+                firmware: "squares",
+                count: "scene.squares",
+                variant,
+                peer: Peer::None,
+            },
         })
     })
 }

@@ -53,12 +53,11 @@ impl<'c, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> C
         counters.intervals = counters.intervals.wrapping_add(1);
     }
 
-    /// The nearest of some spans at a column, left of which or at which all of them begin.
+    /// The nearest of some spans at a column, all of which have it.
     #[inline]
     pub(super) fn nearest<'s>(&mut self, spans: &'s [RowSpan], column: i32) -> Option<&'s RowSpan> {
-        let mut there = spans.iter().filter(|span| column < span.after());
-        let mut nearest = there.next()?;
-        for span in there {
+        let (mut nearest, others) = spans.split_first()?;
+        for span in others {
             if self.is_in_front(span, nearest, column) {
                 nearest = span;
             }
@@ -77,8 +76,8 @@ impl<'c, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> C
         }
     }
 
-    /// The end of an interval in which a face is seen that is the nearest at its first column, among spans that begin there or
-    /// left of it.
+    /// The end of an interval in which a face is seen that is the nearest at its first column, among the spans that have this
+    /// column.
     #[inline]
     pub(super) fn end_among(&mut self, nearest: &RowSpan, spans: &[RowSpan], column: i32) -> i32 {
         let mut end = nearest.after();

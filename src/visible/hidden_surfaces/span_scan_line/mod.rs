@@ -47,14 +47,17 @@ use crate::{
 };
 
 /// The interval (span) scan-line algorithm ([`Visibility`]) for rows that up to `ACTIVE` faces cross. Take it for few large
-/// faces that overlap and whose pixels take long to shade: each is shaded once, and no row of depths is read or written.
+/// faces that overlap and whose pixels take long to shade: each pixel is shaded once, and no row of depths is read or written.
+/// Forty large textured faces, four deep in the mean pixel, take a third of the instructions of the depth row; a torus of many
+/// small faces in one colour each takes 2.2 times as many.
 ///
-/// RAM: 16 bytes a face that crosses a row, which is 8 an active edge, and 16 more. The faces themselves are set up in the slots
-/// of the frame's memory, which the depth row uses, too. A row with more faces than `ACTIVE` is drawn more slowly, and one with
-/// more than the frame has slots far more slowly, because each face is then set up for each interval: the picture is the same.
+/// RAM: 16 bytes a face that crosses a row, which is 8 an active edge, and up to 20 more. The faces themselves are set up in the
+/// slots of the frame's memory, which the depth row uses, too. A row with more faces than `ACTIVE` is drawn more slowly, and one
+/// with more than the frame has slots far more slowly, because each face is then set up twice for each interval: the picture is
+/// the same.
 ///
-/// Cost of a row: for each interval a look at all faces that begin left of its end, and a comparison of depths for those that
-/// overlap it; then its pixels. Bands from top to bottom carry the faces on.
+/// Cost of a row: for each interval a comparison of depths at both ends with each face that is there, and setting up what varies
+/// over the face that is seen; then its pixels. Bands from top to bottom carry the faces on.
 ///
 /// What was done is counted from when the method was made, modulo 2^32.
 ///

@@ -1,5 +1,7 @@
 //! The spans of a row in the order of their first columns.
 
+use core::cell::Cell;
+
 use crate::{
     shade::Shading,
     view::{DepthWidth, ScreenPrecision},
@@ -70,16 +72,18 @@ impl<const ACTIVE: usize> SortedSpans<ACTIVE> {
 
     /// Hands over the faces that are seen in a row.
     pub(super) fn draw<S: ScreenPrecision, D: DepthWidth, H: Shading>(
-        &self,
+        &mut self,
         comparison: &mut Comparison<'_, S, D, H, impl FaceTable<S, D, H>>,
         row: i32,
         painter: &mut impl Painter<S, H>,
     ) {
-        let spans = self.spans.get(..usize::from(self.count)).unwrap_or_default();
-        let (mut column, mut begun) = (0, 0);
+        let spans = self.spans.get_mut(..usize::from(self.count)).unwrap_or_default();
+        // So many spans have ended at a column or left of it, and so many have begun: these come first.
+        let (mut column, mut ended, mut begun) = (0, 0, 0);
         loop {
             begun += count_before(spans, begun, column + 1);
-            let there = spans.get(..begun).unwrap_or_default();
+            ended += move_ended_first(spans.get_mut(ended..begun).unwrap_or_default(), column);
+            let there = spans.get(ended..begun).unwrap_or_default();
             if let Some(nearest) = comparison.nearest(there, column) {
                 let end = comparison.end_among(nearest, there, column);
                 // Those that begin in the interval may end it.
@@ -95,6 +99,22 @@ impl<const ACTIVE: usize> SortedSpans<ACTIVE> {
             }
         }
     }
+}
+
+/// Moves the spans that end at a column or left of it before the others. Returns how many these are.
+#[inline]
+fn move_ended_first(spans: &mut [RowSpan], column: i32) -> usize {
+    let spans = Cell::from_mut(spans).as_slice_of_cells();
+    let mut ended = 0;
+    for span in spans {
+        if span.get().after() <= column {
+            if let Some(first) = spans.get(ended) {
+                first.set(span.replace(first.get()));
+            }
+            ended += 1;
+        }
+    }
+    ended
 }
 
 /// How many spans from an index on begin before a column.
