@@ -44,7 +44,7 @@ const LEVELS: usize = 17;
 /// Take it for huge scenes that are seen through few pixels. For one pixel, as where a finger touches the panel,
 /// [`Prepared::face_at`](crate::scene::Prepared::face_at) needs no tree.
 ///
-/// RAM: 14 bytes a face, and 8.
+/// RAM: 14 bytes a face, and 4.
 ///
 /// Source: Appel 1968; Rubin and Whitted 1980.
 #[derive(Debug)]

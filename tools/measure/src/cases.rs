@@ -27,6 +27,7 @@ pub fn all() -> Vec<Case> {
         .chain(looks())
         .chain(crowds())
         .chain(squares())
+        .chain(hidden_surfaces())
         .chain(pictures())
         .chain(contours())
         .chain(instruments())
@@ -391,11 +392,41 @@ fn squares() -> impl Iterator<Item = Case> {
             name: format!("scene.squares{suffix}"),
             title: format!("40 large textured faces, four deep in the mean pixel, {method}"),
             target,
-            budget: None,
+            // 0.65 times what the depth row takes.
+            budget: (variant == "intervals" && target == V7EM).then_some(7_390_000.0),
             cycles_budget: None,
             source: Source::Count {
                 firmware: "squares",
                 count: "scene.squares",
+                variant,
+                peer: Peer::None,
+            },
+        })
+    })
+}
+
+/// A torus of small faces by each method of visibility: preparing and drawing in one band.
+fn hidden_surfaces() -> impl Iterator<Item = Case> {
+    let methods = [
+        ("row", "the depth row"),
+        ("intervals", "intervals"),
+        ("buffer", "a depth buffer"),
+        ("bins", "tile bins"),
+        ("sort", "the painter's algorithm"),
+        ("quarters", "Warnock's quarters"),
+        ("rays", "ray casting"),
+        ("one", "one depth, pixel by pixel"),
+    ];
+    [V7EM, V6M].into_iter().flat_map(move |target| {
+        methods.into_iter().map(move |(variant, method)| Case {
+            name: format!("hidden_surfaces.{variant}"),
+            title: format!("torus in one band by {method}"),
+            target,
+            budget: None,
+            cycles_budget: None,
+            source: Source::Count {
+                firmware: "hidden_surfaces",
+                count: "hidden_surfaces",
                 variant,
                 peer: Peer::None,
             },

@@ -186,6 +186,25 @@ where
         self.drawn_rows(frame, |_| {}, draw, output);
     }
 
+    /// Prepares a frame and draws it into a band of the whole picture.
+    #[inline(always)]
+    pub fn draw_whole(
+        &mut self,
+        frame: u32,
+        words: &mut [u16],
+        draw: impl FnOnce(&mut Prepared<'_, '_, L>, &mut Band<'_, Rgb565>),
+    ) {
+        let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {
+            report::exit(false)
+        };
+        let models = [S::model().with_pose(pose)];
+        let (Ok(mut prepared), Ok(mut band)) = (self.memory.prepare(&camera, &models), Band::new(Self::AREA, words))
+        else {
+            report::exit(false)
+        };
+        draw(&mut prepared, &mut band);
+    }
+
     /// Draws a frame as the only item of a picture.
     pub fn draw_item(&mut self, frame: u32) {
         let Ok((camera, pose)) = stage::<S>(Self::AREA, frame) else {

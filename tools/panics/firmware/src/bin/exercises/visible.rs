@@ -4,7 +4,7 @@ use zrow::{
     scan::Polygons,
     scene::{Deep, Fine, Look, Prepared},
     shade::{Texels, Textured},
-    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, TileBins, Visibility, Warnock},
+    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock},
 };
 use zrow_panics_firmware::{any, keep};
 
@@ -37,6 +37,14 @@ fn methods<L: Look, O: Order + 'static>() {
     keep(RayCasting::<500>::faces_tested(any()));
     default::<RayCasting<500>>();
     visibility::<L, O, RayCasting<500>>();
+
+    keep(SpanScanLine::<64>::new());
+    keep(SpanScanLine::<64>::intervals(any()));
+    keep(SpanScanLine::<64>::splits(any()));
+    keep(SpanScanLine::<64>::comparisons(any()));
+    keep(SpanScanLine::<64>::pixels_compared(any()));
+    default::<SpanScanLine<64>>();
+    visibility::<L, O, SpanScanLine<64>>();
 
     keep(TileBins::<L::Depth, 300, 2_000>::new());
     default::<TileBins<L::Depth, 300, 2_000>>();
