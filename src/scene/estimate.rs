@@ -99,8 +99,8 @@ mod weights {
     pub(super) const CROSSING: [u32; 2] = [1_750, 510];
     pub(super) const BEGUN: [u32; 2] = [75, 48];
     /// A row and a column of a silhouette, and a face of the models.
-    pub(super) const EDGE: [[u32; 2]; 2] = [[890, 590], [590, 300]];
-    pub(super) const SILHOUETTE_FACE: [u32; 2] = [160, 80];
+    pub(super) const EDGE: [[u32; 2]; 2] = [[690, 490], [480, 250]];
+    pub(super) const SILHOUETTE_FACE: [u32; 2] = [110, 55];
 }
 
 impl<L: Look> PreparedFaces<'_, '_, L> {

@@ -13,8 +13,14 @@ use crate::{
 /// All methods draw the same picture, to the bit: in each pixel that face is seen which has the greatest stored depth there, of
 /// equally near ones the first in the order of models. They differ in memory, and in time.
 ///
-/// [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes one. Its own methods take what only a prepared frame has.
-pub trait Visibility<D: DepthWidth> {
+/// [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes one.
+pub trait Visibility<D: DepthWidth>: Method<D> {}
+
+impl<D: DepthWidth, M: Method<D>> Visibility<D> for M {}
+
+// Not re-exported: only prepared frames have the faces that a method takes.
+/// What a method does.
+pub trait Method<D: DepthWidth> {
     /// Finds the faces of a table that are seen in a window, which lies in the viewport and has pixels, and hands them over.
     ///
     /// # Errors

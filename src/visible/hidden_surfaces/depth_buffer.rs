@@ -23,11 +23,11 @@ use crate::{
         face_table::{FaceTable, NONE},
         hidden_surfaces::placed::{face_from_row, for_each_node, keep_nearer, paint_nodes},
         painter::Painter,
-        visibility::Visibility,
+        visibility::Method,
     },
 };
 
-/// The depth buffer ([`Visibility`]): a depth and a face for each of so many pixels, the most that are drawn at once. `D` is
+/// The depth buffer ([`Visibility`](crate::visible::Visibility)): a depth and a face for each of so many pixels, the most that are drawn at once. `D` is
 /// the depth of the look. Take it where memory is plenty; it is what the other methods are compared with.
 ///
 /// RAM: 4 bytes a pixel with depths of 16 bits, 6 with 32.
@@ -56,7 +56,7 @@ impl<D: DepthWidth, const PIXELS: usize> Default for DepthBuffer<D, PIXELS> {
     }
 }
 
-impl<D: DepthWidth, const PIXELS: usize> Visibility<D> for DepthBuffer<D, PIXELS> {
+impl<D: DepthWidth, const PIXELS: usize> Method<D> for DepthBuffer<D, PIXELS> {
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where
         S: ScreenPrecision,

@@ -25,7 +25,7 @@ use crate::{
         face_table::{FaceTable, corners_from_top, covers},
         hidden_surfaces::placed::{nearest_of_all, paint_row},
         painter::Painter,
-        visibility::Visibility,
+        visibility::Method,
     },
 };
 
@@ -33,7 +33,7 @@ use crate::{
 /// [`Polygons::winding_number`](crate::scan::Polygons::winding_number), for corners and a point in the same units.
 type PointTest = fn(&[&[Point]], FillRule, &Point) -> Location;
 
-/// The z-buffer with one depth ([`Visibility`]): no memory but a few variables, whatever the size of picture and scene.
+/// The z-buffer with one depth ([`Visibility`](crate::visible::Visibility)): no memory but a few variables, whatever the size of picture and scene.
 ///
 /// Take it where not even a row of depths fits, or to see the plainest of all methods. It is slow: each pixel looks at all faces
 /// that cross its row. Which of them cover the pixel is decided by a test of points in polygons that it is made with; for points
@@ -94,7 +94,7 @@ impl defmt::Format for OneDepth {
     }
 }
 
-impl<D: DepthWidth> Visibility<D> for OneDepth {
+impl<D: DepthWidth> Method<D> for OneDepth {
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where
         S: ScreenPrecision,

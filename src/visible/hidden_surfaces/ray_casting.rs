@@ -29,7 +29,7 @@ use crate::{
         face_table::{FaceTable, NONE, corners_from_top, covers},
         hidden_surfaces::placed::{for_each_node, nearer_of, paint_row},
         painter::Painter,
-        visibility::Visibility,
+        visibility::Method,
     },
 };
 
@@ -39,7 +39,7 @@ const FEW: usize = 3;
 /// Halves of halves that a ray has still to look into, at most: of 65,535 faces.
 const LEVELS: usize = 17;
 
-/// Ray casting through a tree of boxes ([`Visibility`]), for at most so many faces that begin above the lower side of the window.
+/// Ray casting through a tree of boxes ([`Visibility`](crate::visible::Visibility)), for at most so many faces that begin above the lower side of the window.
 ///
 /// Take it for huge scenes that are seen through few pixels. For one pixel, as where a finger touches the panel,
 /// [`Prepared::face_at`](crate::scene::Prepared::face_at) needs no tree.
@@ -312,7 +312,7 @@ impl<const FACES: usize> Default for RayCasting<FACES> {
     }
 }
 
-impl<D: DepthWidth, const FACES: usize> Visibility<D> for RayCasting<FACES> {
+impl<D: DepthWidth, const FACES: usize> Method<D> for RayCasting<FACES> {
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where
         S: ScreenPrecision,

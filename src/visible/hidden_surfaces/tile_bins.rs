@@ -31,7 +31,7 @@ use crate::{
         face_table::{FaceTable, NONE, corners_from_top},
         hidden_surfaces::placed::{face_from_row, for_each_node, keep_nearer, paint_nodes},
         painter::Painter,
-        visibility::Visibility,
+        visibility::Method,
     },
 };
 
@@ -41,7 +41,7 @@ const SIDE: i32 = 16;
 /// Pixels of a tile.
 const PIXELS: usize = (SIDE * SIDE) as usize;
 
-/// Tile bins ([`Visibility`]): at most so many tiles of 16 x 16 pixels, which the window that is drawn is cut into from its upper
+/// Tile bins ([`Visibility`](crate::visible::Visibility)): at most so many tiles of 16 x 16 pixels, which the window that is drawn is cut into from its upper
 /// left corner on, and so many faces in the lists of all of them together; a face is in the list of each tile that its box meets.
 /// `D` is the depth of the look.
 ///
@@ -117,7 +117,7 @@ impl<D: DepthWidth, const TILES: usize, const FACES: usize> Default for TileBins
     }
 }
 
-impl<D: DepthWidth, const TILES: usize, const FACES: usize> Visibility<D> for TileBins<D, TILES, FACES> {
+impl<D: DepthWidth, const TILES: usize, const FACES: usize> Method<D> for TileBins<D, TILES, FACES> {
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where
         S: ScreenPrecision,

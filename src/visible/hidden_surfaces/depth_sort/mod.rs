@@ -63,16 +63,14 @@ use crate::{
     scan::polygon::edge_table::shell_sort,
     shade::Shading,
     view::{DepthWidth, ScreenPrecision},
-    visible::{
-        face_table::FaceTable, hidden_surfaces::placed::for_each_node, painter::Painter, visibility::Visibility,
-    },
+    visible::{face_table::FaceTable, hidden_surfaces::placed::for_each_node, painter::Painter, visibility::Method},
 };
 
 use pairs::Extents;
 use sort::{Sort, from_back};
 use waiting::{Condition, Waiting};
 
-/// The painter's algorithm with splits ([`Visibility`]): it sorts the faces by depth and paints them from back to front. Take it
+/// The painter's algorithm with splits ([`Visibility`](crate::visible::Visibility)): it sorts the faces by depth and paints them from back to front. Take it
 /// where few faces overlap, or to paint over what is behind.
 ///
 /// `FACES` is the greatest number of faces in what is drawn at once, and some more for their parts; `SPLITS` is the number of
@@ -112,7 +110,7 @@ impl<const FACES: usize, const SPLITS: usize> Default for DepthSort<FACES, SPLIT
     }
 }
 
-impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> Visibility<D> for DepthSort<FACES, SPLITS> {
+impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> Method<D> for DepthSort<FACES, SPLITS> {
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where
         S: ScreenPrecision,

@@ -42,11 +42,11 @@ use crate::{
         active_faces::ActiveList,
         face_table::{FaceTable, NONE},
         painter::Painter,
-        visibility::Visibility,
+        visibility::Method,
     },
 };
 
-/// The interval (span) scan-line algorithm ([`Visibility`]) for rows that up to `ACTIVE` faces cross. Take it for few large
+/// The interval (span) scan-line algorithm ([`Visibility`](crate::visible::Visibility)) for rows that up to `ACTIVE` faces cross. Take it for few large
 /// faces that overlap and whose pixels take long to shade: each pixel is shaded once, and no row of depths is read or written.
 /// Forty large textured faces, four deep in the mean pixel, take a third of the instructions of the depth row; a torus of many
 /// small faces in one colour each takes 2.2 times as many.
@@ -106,7 +106,7 @@ impl<const ACTIVE: usize> Default for SpanScanLine<ACTIVE> {
     }
 }
 
-impl<D: DepthWidth, const ACTIVE: usize> Visibility<D> for SpanScanLine<ACTIVE> {
+impl<D: DepthWidth, const ACTIVE: usize> Method<D> for SpanScanLine<ACTIVE> {
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where
         S: ScreenPrecision,

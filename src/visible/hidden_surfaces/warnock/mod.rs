@@ -48,7 +48,7 @@ use crate::{
         hidden_surfaces::placed::{face_from_row, for_each_node},
         painter::Painter,
         passes::{face_in_first_row, surroundings},
-        visibility::Visibility,
+        visibility::Method,
     },
 };
 use angle_sum::AngleSum;
@@ -61,7 +61,7 @@ use region_codes::RegionCodes;
 use window_stack::WindowStack;
 use window_test::WindowTest;
 
-/// Warnock's algorithm ([`Visibility`]): divides windows into quarters until one face is seen in them or none. `FACES` is how many
+/// Warnock's algorithm ([`Visibility`](crate::visible::Visibility)): divides windows into quarters until one face is seen in them or none. `FACES` is how many
 /// faces its list has room for; with fewer than a window has, the picture is the same, and quarters look through the whole table
 /// of faces until their own list fits. Take it where the pixels of a picture are many and its edges few, or to see how it works.
 ///
@@ -151,7 +151,7 @@ impl<const FACES: usize> Default for Warnock<FACES> {
     }
 }
 
-impl<D: DepthWidth, const FACES: usize, T: WindowTest> Visibility<D> for Warnock<FACES, T> {
+impl<D: DepthWidth, const FACES: usize, T: WindowTest> Method<D> for Warnock<FACES, T> {
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where
         S: ScreenPrecision,

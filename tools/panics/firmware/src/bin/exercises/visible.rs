@@ -4,11 +4,13 @@ use zrow::{
     scan::Polygons,
     scene::{Deep, Fine, Look, Prepared},
     shade::{Texels, Textured},
-    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock},
+    visible::{
+        DepthBuffer, DepthSort, DepthSortCounters, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock,
+    },
 };
 use zrow_panics_firmware::{any, keep};
 
-use crate::foreign::default;
+use crate::foreign::{clone, default, eq};
 
 pub const EXERCISES: &[fn()] = &[
     methods::<Rgb565, BigEndian>,
@@ -27,6 +29,9 @@ fn methods<L: Look, O: Order + 'static>() {
     keep(DepthSort::<500, 40>::new());
     keep(DepthSort::<500, 40>::counters(any()));
     default::<DepthSort<500, 40>>();
+    clone::<DepthSortCounters>();
+    default::<DepthSortCounters>();
+    eq::<DepthSortCounters>();
     visibility::<L, O, DepthSort<500, 40>>();
 
     keep(OneDepth::new(Polygons::winding_number));
