@@ -7,7 +7,7 @@ use zrow::{
     scan::Polygons,
     scene::{Camera, Deep, Fine, Look, Memory, Model, Pose, Prepared},
     shade::{Indexed, IndexedImage, Shading, Textured, TexturedSkin},
-    visible::{DepthBuffer, OneDepth, RayCasting, TileBins, Visibility},
+    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock},
 };
 
 use crate::common::meshes::Mesh;
@@ -82,9 +82,12 @@ where
         "depth buffer",
         &mut DepthBuffer::<L::Depth, { WIDTH * HEIGHT }>::new(),
     );
+    check_method(&mut prepared, "depth sort", &mut DepthSort::<400, 40>::new());
     check_method(&mut prepared, "one depth", &mut OneDepth::new(Polygons::winding_number));
     check_method(&mut prepared, "ray casting", &mut RayCasting::<400>::new());
+    check_method(&mut prepared, "spans", &mut SpanScanLine::<64>::new());
     check_method(&mut prepared, "tile bins", &mut TileBins::<L::Depth, 9, 4_000>::new());
+    check_method(&mut prepared, "Warnock", &mut Warnock::<400>::new());
     let picture = words(&mut prepared, whole, |prepared, band| prepared.draw(band));
     picture.iter().filter(|word| **word != UNTOUCHED).count()
 }

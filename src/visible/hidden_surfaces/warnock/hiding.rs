@@ -281,6 +281,7 @@ mod tests {
 
     use super::*;
     use crate::{
+        cases::config,
         geometry::{Sub4, Sub8},
         visible::active_face::from_top,
     };
@@ -324,7 +325,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(2_000))]
+        #![proptest_config(config(2_000))]
 
         #[test]
         fn upper_planes_are_little_above_the_exact_ones(
