@@ -8,7 +8,7 @@ use crate::{
         draw::{antialiased, closed, fills, lines, outline_texts, pictures, polygons, strokes, styles, texts},
         geometry, mesh, planted,
         scan::{circles, curves, fills as scan_fills, lines as scan_lines},
-        scene, shade, shading, space, surface, view,
+        scene, shade, shading, space, surface, view, visible,
     },
     target::Target,
 };
@@ -83,6 +83,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<scene::FrameCase>("scene.frame", &["scene"]),
     Target::new::<scene::ModelCase>("scene.model", &["scene"]),
     Target::new::<shading::ShadingCase>("scene.shading", &["scene", "shade"]),
+    Target::new::<visible::VisibilityCase>("visible.methods", &["visible"]),
     Target::new::<scene::DepthCase>("visible.depth", &["scene"]),
     Target::new::<scene::AtDepthCase>("visible.at_depth", &["scene"]),
 ];

@@ -14,3 +14,4 @@ pub mod shading;
 pub mod space;
 pub mod surface;
 pub mod view;
+pub mod visible;

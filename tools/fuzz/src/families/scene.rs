@@ -86,7 +86,7 @@ struct AnyModel {
 }
 
 /// What a model is made of.
-struct Mesh {
+pub struct Mesh {
     vertices: Vec<[i16; 3]>,
     faces: Vec<[u16; 3]>,
     pose: Pose,
@@ -109,7 +109,7 @@ impl AnyModel {
 
 /// A camera and models before it.
 #[derive(Debug, Clone, Arbitrary)]
-struct AnyScene {
+pub struct AnyScene {
     models: List<AnyModel, 3>,
     view: AnyView,
 }
@@ -168,22 +168,22 @@ impl AnyView {
 
 impl AnyScene {
     /// The camera before the models.
-    fn camera(&self) -> Option<Camera> {
+    pub fn camera(&self) -> Option<Camera> {
         self.view.camera()
     }
 
-    fn meshes(&self) -> Vec<Mesh> {
+    pub fn meshes(&self) -> Vec<Mesh> {
         self.models.0.iter().map(AnyModel::mesh).collect()
     }
 }
 
 /// The colour of a face by its position in the order of models and faces.
-fn color(face: usize) -> Rgb565 {
+pub fn color(face: usize) -> Rgb565 {
     Rgb565::from(RawU16::from_u32(0x8421 + 0x0102 * face as u32))
 }
 
 /// Models of the meshes, each face in a colour of its own.
-fn models<'m>(meshes: &'m [Mesh], colors: &'m [Vec<Rgb565>]) -> anyhow::Result<Vec<Model<'m, Rgb565>>> {
+pub fn models<'m>(meshes: &'m [Mesh], colors: &'m [Vec<Rgb565>]) -> anyhow::Result<Vec<Model<'m, Rgb565>>> {
     let pairs = meshes.iter().zip(colors);
     pairs
         .map(|(mesh, colors)| {
@@ -195,7 +195,8 @@ fn models<'m>(meshes: &'m [Mesh], colors: &'m [Vec<Rgb565>]) -> anyhow::Result<V
         .collect()
 }
 
-fn colors(meshes: &[Mesh]) -> Vec<Vec<Rgb565>> {
+/// Colours of the faces of meshes, each of its own.
+pub fn colors(meshes: &[Mesh]) -> Vec<Vec<Rgb565>> {
     let mut first = 0;
     meshes
         .iter()
@@ -208,7 +209,7 @@ fn colors(meshes: &[Mesh]) -> Vec<Vec<Rgb565>> {
 }
 
 /// Room for every scene here.
-type Large<S, D, const CLIPS: bool> = Memory<LookOf<Rgb565, S, D, CLIPS>, 512, 24, 24, 24, 24>;
+pub type Large<S, D, const CLIPS: bool> = Memory<LookOf<Rgb565, S, D, CLIPS>, 512, 24, 24, 24, 24>;
 /// Room for few.
 type Small<S, D, const CLIPS: bool> = Memory<LookOf<Rgb565, S, D, CLIPS>, 9, 6, 16, 24, 2>;
 
@@ -222,8 +223,9 @@ pub struct FrameCase {
     kind: Kind,
 }
 
+/// A precision with a width of depths.
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Arbitrary)]
-enum Kind {
+pub enum Kind {
     CoarseNarrow,
     CoarseWide,
     FineNarrow,

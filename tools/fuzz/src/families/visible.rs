@@ -1,0 +1,119 @@
+//! `zrow::visible`: any faces by all methods of visibility, with memory that is enough or not.
+
+use anyhow::{Context, bail, ensure};
+use arbitrary::Arbitrary;
+use embedded_graphics::{pixelcolor::Rgb565, primitives::PointsIter};
+use zrow::{
+    band::LittleEndian,
+    geometry::{Sub4, Sub8, Window},
+    scan::Polygons,
+    scene::{DepthWidth, Prepared, ScreenPrecision},
+    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock},
+};
+use zrow_methods::LookOf;
+
+use crate::{
+    families::scene::{AnyScene, Kind, Large, color, colors, models},
+    picture::{Canvas, background, is_same},
+    target::{Case, Verdict},
+};
+
+/// Scenes in a part of the picture, by all methods.
+#[derive(Debug, Arbitrary)]
+pub struct VisibilityCase {
+    scene: AnyScene,
+    part: [u8; 4],
+    kind: Kind,
+}
+
+/// The look of a scene whose faces are cut.
+type Look<S, D> = LookOf<Rgb565, S, D, true>;
+
+/// Draws a part of the picture by a method: the picture of the depth row; or an error, and nothing was drawn.
+fn check_method<S: ScreenPrecision, D: DepthWidth>(
+    prepared: &mut Prepared<'_, '_, Look<S, D>>,
+    part: &Window,
+    expected: &[Rgb565],
+    method: &mut impl Visibility<D>,
+    is_enough: bool,
+) -> Verdict {
+    let mut result = Ok(());
+    let drawn = Canvas::new(*part).draw::<LittleEndian>(|band| {
+        result = prepared.draw_by(method, band);
+        Ok(())
+    })?;
+    match result {
+        Ok(()) => is_same(part, expected, &drawn).context("by the depth row, the other by a method"),
+        Err(error) if is_enough => bail!("{error} with room for all"),
+        Err(error) => {
+            ensure!(error.needed() > 0, "{error}");
+            ensure!(drawn.iter().all(|color| *color == background()), "{error}, but drawn");
+            Ok(())
+        }
+    }
+}
+
+impl VisibilityCase {
+    fn check_kind<S: ScreenPrecision, D: DepthWidth>(&self) -> Verdict {
+        let Some(camera) = self.scene.camera() else {
+            return Ok(());
+        };
+        let meshes = self.scene.meshes();
+        let colors = colors(&meshes);
+        let models = models(&meshes, &colors)?;
+        let mut frame = Large::<S, D, true>::new();
+        // What may be wrong with a frame is the scene's.
+        let Ok(mut prepared) = frame.prepare(&camera, &models) else {
+            return Ok(());
+        };
+        let viewport = camera.viewport();
+        let [left, top, right, bottom] = self.part.map(|margin| i32::from(margin % 8) - 2);
+        let part = Window {
+            left: viewport.left + left,
+            top: viewport.top + top,
+            right: (viewport.right - right).max(viewport.left + left + 1),
+            bottom: (viewport.bottom - bottom).max(viewport.top + top + 1),
+        };
+        let expected = Canvas::new(part).draw::<LittleEndian>(|band| {
+            prepared.draw(band);
+            Ok(())
+        })?;
+        for (point, expected) in part.to_rectangle().points().zip(&expected).step_by(5) {
+            let seen = prepared.face_at(point).map_or(background(), color);
+            ensure!(seen == *expected, "another face at {point:?}");
+        }
+        macro_rules! check {
+            ($($method:expr, $is_enough:literal;)*) => {
+                $(check_method::<S, D>(&mut prepared, &part, &expected, &mut $method, $is_enough)?;)*
+            };
+        }
+        check! {
+            DepthBuffer::<D, 576>::new(), true;
+            DepthBuffer::<D, 99>::new(), false;
+            DepthSort::<400, 50>::new(), true;
+            DepthSort::<300, 1>::new(), true;
+            DepthSort::<3, 2>::new(), false;
+            OneDepth::new(Polygons::winding_number), true;
+            RayCasting::<300>::new(), true;
+            RayCasting::<4>::new(), false;
+            SpanScanLine::<24>::new(), true;
+            SpanScanLine::<2>::new(), true;
+            TileBins::<D, 4, 1_200>::new(), true;
+            TileBins::<D, 2, 9>::new(), false;
+            Warnock::<300>::new(), true;
+            Warnock::<3, _>::by_region_codes(), true;
+        }
+        Ok(())
+    }
+}
+
+impl Case for VisibilityCase {
+    fn check(&self) -> Verdict {
+        match self.kind {
+            Kind::CoarseNarrow => self.check_kind::<Sub4, u16>(),
+            Kind::CoarseWide => self.check_kind::<Sub4, u32>(),
+            Kind::FineNarrow => self.check_kind::<Sub8, u16>(),
+            Kind::FineWide => self.check_kind::<Sub8, u32>(),
+        }
+    }
+}
