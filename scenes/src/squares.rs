@@ -12,7 +12,7 @@ use crate::{
     teapots::{PORCELAIN, SIZE, TEXELS, shaded},
 };
 
-/// How many squares there are: 40 faces, of which four lie behind each other in the mean pixel.
+/// The number of squares, each of two faces. By their area, four faces lie behind each other in the mean pixel.
 const SQUARES: usize = 20;
 
 /// Half the side of a square, in units of the vertices: 12.8 are a pixel at the distance of a standard scene.

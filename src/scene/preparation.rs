@@ -97,8 +97,8 @@ pub(super) fn begin(starts: &mut [RowStart], node: u16, rows: (usize, usize)) ->
     previous
 }
 
-/// What is kept as the next node of a face that lies in no bucket, in a look with silhouettes by area: the face itself where it
-/// is not seen, because it is turned away or has no area.
+/// The entry in the table of next nodes for a face that begins in no row, in a look with antialiased silhouettes: the face's
+/// own node where it is turned away or has no area, else [`NONE`]; so silhouettes are found without looking at corners again.
 #[inline]
 pub(super) fn next_outside_rows<L: Look>([a, b, c]: [&ScreenVertexOf<L>; 3], node: u16) -> u16 {
     let [a, b, c] = [a, b, c].map(ScreenVertex::position);

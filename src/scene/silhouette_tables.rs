@@ -13,8 +13,8 @@ pub(super) type ColumnOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Colo
 /// first such face, and how many edges are active. Nothing in looks without.
 pub(super) type FaceEdgesOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::FaceEdges;
 
-/// What a look with antialiased silhouettes keeps of the row that is drawn: its active edges, `A`, and its columns, `C`, an array
-/// or a slice.
+/// The tables of one row in looks with antialiased silhouettes: the silhouette edges that cross the row (`A`), and an entry for
+/// each of its pixels (`C`, an array or a slice).
 // One reference to both, because in looks without silhouettes it is carried along, too.
 #[derive(Debug)]
 pub(super) struct RowTables<A, C: ?Sized> {
@@ -23,7 +23,7 @@ pub(super) struct RowTables<A, C: ?Sized> {
     pub(super) columns: C,
 }
 
-/// What a look keeps of the silhouettes in the row that is drawn, for columns `C`, an array or a slice: nothing in looks without.
+/// The [`RowTables`] of a look, with columns `C` (an array or a slice); of no size in looks without antialiased silhouettes.
 pub(super) type RowTablesOf<L, C> =
     RowTables<<SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::ActiveEdges<<L as Look>::Depth>, C>;
 

@@ -71,7 +71,7 @@ impl FaceEdges {
         Self(if is_left_out { self.0 | bit } else { self.0 & !bit })
     }
 
-    /// How many edges of silhouettes are active in the row that this is kept of.
+    /// The number of silhouette edges that are active in a row, by the entry of the row.
     pub(crate) fn active(self) -> usize {
         usize::from((self.0 >> 16) as u8)
     }
@@ -81,24 +81,24 @@ impl FaceEdges {
         self.0 & Self::IS_CUT != 0
     }
 
-    /// What is kept of the first row, in a frame with a face that is cut.
+    /// The entry of the first row of a frame, with a note that a face of the frame is cut.
     #[must_use]
     pub(crate) fn with_cut_face(self) -> Self {
         Self(self.0 | Self::IS_CUT)
     }
 
-    /// What is kept of a row, with another number of silhouette edges that are active in it.
+    /// The entry of a row, with so many silhouette edges that are active in the row.
     #[must_use]
     pub(crate) fn with_active(self, count: usize) -> Self {
         Self(self.0 & (Self::IS_CUT | 0xffff) | (count as u32) << 16)
     }
 
-    /// The next face of the row, or [`NONE`].
+    /// The next face of the row, or `NONE`.
     pub(crate) fn next(self) -> u16 {
         self.0 as u16
     }
 
-    /// What is kept of the face, with another next face of its row.
+    /// The entry of a face or a row, with the node of the next face that has silhouettes beginning in the same row, or `NONE`.
     #[must_use]
     pub(crate) fn with_next(self, next: u16) -> Self {
         Self(self.0 & !0xffff | u32::from(next))
