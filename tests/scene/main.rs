@@ -50,6 +50,7 @@ mod translucent;
 mod unclipped_faces;
 mod visibility;
 mod visibility_depth_sort;
+mod visibility_scenes;
 mod visibility_shading;
 mod visibility_spans;
 mod visibility_warnock;

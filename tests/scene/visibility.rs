@@ -162,14 +162,18 @@ fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: 
     shown
 }
 
-/// Draws a mesh by all methods, with every precision and width of depths.
+/// Draws meshes in one pose by all methods, with every precision and width of depths; returns how many pixels show a face.
 pub fn check_formats(meshes: Vec<Mesh>, pose: zrow::scene::Pose) -> usize {
-    let (scene, camera) = (Scene::new(meshes), camera(area(WIDTH, HEIGHT)));
-    let models = scene.models(pose);
-    check_all::<Sub4, u32>(&models, &camera);
-    check_all::<Sub8, u16>(&models, &camera);
-    check_all::<Sub8, u32>(&models, &camera);
-    check_all::<Sub4, u16>(&models, &camera)
+    check_models(&Scene::new(meshes).models(pose))
+}
+
+/// Draws models by all methods, with every precision and width of depths; returns how many pixels show a face.
+pub fn check_models(models: &[Model<'_, Rgb888>]) -> usize {
+    let camera = camera(area(WIDTH, HEIGHT));
+    check_all::<Sub4, u32>(models, &camera);
+    check_all::<Sub8, u16>(models, &camera);
+    check_all::<Sub8, u32>(models, &camera);
+    check_all::<Sub4, u16>(models, &camera)
 }
 
 #[test]
