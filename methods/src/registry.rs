@@ -307,9 +307,9 @@ family! { $
 family! { $
     /// Whole shapes against a window of pixels: `fn(shape, &window)` says how much of it is visible.
     shapes_in_window, SHAPES_IN_WINDOW {
-        circle_against_window: [zrow::clip::Visibility::circle_against_window], differing,
+        circle_against_window: [zrow::clip::Classification::circle_against_window], differing,
             "outcodes, then the nearest and the farthest pixel", "before drawing circles that may not be visible";
-        rectangle_against_window: [zrow::clip::Visibility::rectangle_against_window], differing,
+        rectangle_against_window: [zrow::clip::Classification::rectangle_against_window], differing,
             "outcodes of two corners", "before drawing what is dearer than its box";
     }
 }

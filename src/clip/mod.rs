@@ -21,8 +21,8 @@
 //! | | | [`weiler_atherton`](Clipper::weiler_atherton) | to see the same result found by walks along both outlines |
 //! | face in space | what a camera sees | [`sutherland_hodgman`](ClipMatrix::sutherland_hodgman) | with its attributes, before the division |
 //! | | | [`sutherland_hodgman_in_eye_space`](ClipMatrix::sutherland_hodgman_in_eye_space) | distances are wanted in space |
-//! | circle | pixels | [`circle_against_window`](Visibility::circle_against_window) | many circles are off the screen, or larger than it |
-//! | rectangle | pixels | [`rectangle_against_window`](Visibility::rectangle_against_window) | what is in the box is dearer than the box: text, images |
+//! | circle | pixels | [`circle_against_window`](Classification::circle_against_window) | many circles are off the screen, or larger than it |
+//! | rectangle | pixels | [`rectangle_against_window`](Classification::rectangle_against_window) | what is in the box is dearer than the box: text, images |
 //!
 //! In space, [`ClipMatrix`] takes vertices to homogeneous clip coordinates, and [`ClipPoint::on_screen`] divides them: the
 //! textbook's way to the screen, which scenes shorten. What a triangle looks like that is not clipped at all,
@@ -31,16 +31,16 @@
 //! All clippers of segments give the same integers in an upright window, and in space the same exact parts.
 
 mod boolean;
+mod classification;
 pub(crate) mod convex;
 mod outcode;
 pub(crate) mod segment;
 pub(crate) mod shape;
 mod space;
-mod visibility;
 
 pub use boolean::{Clipper, Contour, Operation};
+pub use classification::Classification;
 pub use convex::ParametricSegment;
 pub(crate) use outcode::Outcode;
 pub use segment::Segments;
 pub use space::{ClipMatrix, ClipPlane, ClipPoint, SpaceSegment};
-pub use visibility::Visibility;

@@ -5,29 +5,29 @@ use embedded_graphics::{
     primitives::{Circle, PrimitiveStyle, Rectangle},
 };
 use proptest::prelude::*;
-use zrow::{clip::Visibility, geometry::Window};
+use zrow::{clip::Classification, geometry::Window};
 
 use crate::common::config;
 
 /// What the pixels of a shape, and of the window, say.
-fn by_pixels(shape: &[Point], window: &Window) -> Visibility {
+fn by_pixels(shape: &[Point], window: &Window) -> Classification {
     let visible = shape.iter().filter(|&&pixel| window.contains(pixel)).count();
     if visible == 0 {
-        Visibility::Nothing
+        Classification::Nothing
     } else if visible == shape.len() {
-        Visibility::Whole
+        Classification::Whole
     } else if visible == (window.width() * window.height()) as usize {
-        Visibility::Fills
+        Classification::Fills
     } else {
-        Visibility::Part
+        Classification::Part
     }
 }
 
-fn check_circle(circle: Circle, window: &Window) -> Visibility {
+fn check_circle(circle: Circle, window: &Window) -> Classification {
     let style = PrimitiveStyle::with_fill(embedded_graphics::pixelcolor::BinaryColor::On);
     let pixels: Vec<Point> = circle.into_styled(style).pixels().map(|pixel| pixel.0).collect();
     let expected = by_pixels(&pixels, window);
-    let found = Visibility::circle_against_window(&circle, window);
+    let found = Classification::circle_against_window(&circle, window);
     assert_eq!(found, expected, "{circle:?} in {window:?}");
     found
 }
@@ -35,7 +35,7 @@ fn check_circle(circle: Circle, window: &Window) -> Visibility {
 fn check_rectangle(rectangle: Rectangle, window: &Window) {
     let pixels: Vec<Point> = rectangle.points().collect();
     let expected = by_pixels(&pixels, window);
-    let found = Visibility::rectangle_against_window(&rectangle, window);
+    let found = Classification::rectangle_against_window(&rectangle, window);
     assert_eq!(found, expected, "{rectangle:?} in {window:?}");
 
     let visible: Vec<Point> = pixels.into_iter().filter(|&pixel| window.contains(pixel)).collect();
@@ -98,9 +98,9 @@ proptest! {
         let (dx, dy) = (doubled(left, x), doubled(top, y));
         let correction = if diameter <= 4 { i128::from(diameter / 2) } else { 0 };
         let is_inside = dx * dx + dy * dy < i128::from(diameter) * i128::from(diameter) - correction;
-        let found = Visibility::circle_against_window(&Circle::new(Point::new(x, y), diameter), &window);
-        prop_assert_eq!(found != Visibility::Nothing, is_inside);
-        prop_assert_eq!(found == Visibility::Fills, is_inside && diameter > 1);
+        let found = Classification::circle_against_window(&Circle::new(Point::new(x, y), diameter), &window);
+        prop_assert_eq!(found != Classification::Nothing, is_inside);
+        prop_assert_eq!(found == Classification::Fills, is_inside && diameter > 1);
     }
 }
 
@@ -113,10 +113,10 @@ fn the_corner_of_a_box_is_no_part_of_its_circle() {
         bottom: 64,
     };
     let at = |x, y, diameter| check_circle(Circle::with_center(Point::new(x, y), diameter), &window);
-    assert_eq!(at(-14, -14, 41), Visibility::Part);
-    assert_eq!(at(-15, -15, 41), Visibility::Nothing);
-    assert_eq!(at(64, 32, 400), Visibility::Fills);
-    assert_eq!(at(64, 32, 63), Visibility::Whole);
+    assert_eq!(at(-14, -14, 41), Classification::Part);
+    assert_eq!(at(-15, -15, 41), Classification::Nothing);
+    assert_eq!(at(64, 32, 400), Classification::Fills);
+    assert_eq!(at(64, 32, 63), Classification::Whole);
 }
 
 #[test]
@@ -136,21 +136,36 @@ fn the_ends_of_the_number_range_are_exact() {
     let corner = Point::new(i32::MAX - 2, i32::MAX - 2);
     let beyond = |side| Rectangle::new(corner, Size::new_equal(side));
     for (side, in_last, in_whole) in [
-        (2, Visibility::Whole, Visibility::Whole),
-        (3, Visibility::Fills, Visibility::Part),
-        (u32::MAX, Visibility::Fills, Visibility::Part),
+        (2, Classification::Whole, Classification::Whole),
+        (3, Classification::Fills, Classification::Part),
+        (u32::MAX, Classification::Fills, Classification::Part),
     ] {
-        assert_eq!(Visibility::rectangle_against_window(&beyond(side), &last), in_last);
-        assert_eq!(Visibility::rectangle_against_window(&beyond(side), &whole), in_whole);
+        assert_eq!(Classification::rectangle_against_window(&beyond(side), &last), in_last);
+        assert_eq!(
+            Classification::rectangle_against_window(&beyond(side), &whole),
+            in_whole
+        );
         assert_eq!(last.clip_rectangle(&beyond(side)), Some(last.to_rectangle()));
     }
     let largest = Circle::new(Point::new(i32::MIN, i32::MIN), u32::MAX);
-    assert_eq!(Visibility::circle_against_window(&largest, &whole), Visibility::Whole);
-    assert_eq!(Visibility::circle_against_window(&largest, &last), Visibility::Nothing);
-    assert_eq!(Visibility::circle_against_window(&largest, &WINDOW), Visibility::Fills);
+    assert_eq!(
+        Classification::circle_against_window(&largest, &whole),
+        Classification::Whole
+    );
+    assert_eq!(
+        Classification::circle_against_window(&largest, &last),
+        Classification::Nothing
+    );
+    assert_eq!(
+        Classification::circle_against_window(&largest, &WINDOW),
+        Classification::Fills
+    );
     for diameter in [0, 1, u32::MAX] {
         let circle = Circle::new(Point::new(i32::MAX, i32::MAX), diameter);
-        assert_eq!(Visibility::circle_against_window(&circle, &whole), Visibility::Nothing);
+        assert_eq!(
+            Classification::circle_against_window(&circle, &whole),
+            Classification::Nothing
+        );
     }
 }
 
@@ -168,10 +183,13 @@ fn an_empty_window_shows_nothing() {
         },
     ] {
         assert_eq!(
-            Visibility::rectangle_against_window(&rectangle, &empty),
-            Visibility::Nothing
+            Classification::rectangle_against_window(&rectangle, &empty),
+            Classification::Nothing
         );
         assert_eq!(empty.clip_rectangle(&rectangle), None);
-        assert_eq!(Visibility::circle_against_window(&circle, &empty), Visibility::Nothing);
+        assert_eq!(
+            Classification::circle_against_window(&circle, &empty),
+            Classification::Nothing
+        );
     }
 }

@@ -13,46 +13,46 @@ use embedded_graphics::{
 };
 
 use crate::{
-    clip::{Outcode, Visibility, shape::rectangle_against_window::corners},
+    clip::{Classification, Outcode, shape::rectangle_against_window::corners},
     geometry::Window,
 };
 
-impl Visibility {
+impl Classification {
     /// How much of a filled circle the window shows: exact for its pixels.
     ///
     /// Cost: eight comparisons where the box decides, and four squares where it does not.
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Circle};
-    /// use zrow::{clip::Visibility, geometry::Window};
+    /// use zrow::{clip::Classification, geometry::Window};
     ///
     /// let panel = Window { left: 0, top: 0, right: 128, bottom: 64 };
     /// let at = |x, y| Circle::with_center(Point::new(x, y), 41);
-    /// assert_eq!(Visibility::circle_against_window(&at(60, 30), &panel), Visibility::Whole);
-    /// assert_eq!(Visibility::circle_against_window(&at(-10, 30), &panel), Visibility::Part);
+    /// assert_eq!(Classification::circle_against_window(&at(60, 30), &panel), Classification::Whole);
+    /// assert_eq!(Classification::circle_against_window(&at(-10, 30), &panel), Classification::Part);
     /// // Only the box meets the panel.
-    /// assert_eq!(Visibility::circle_against_window(&at(-15, -15), &panel), Visibility::Nothing);
+    /// assert_eq!(Classification::circle_against_window(&at(-15, -15), &panel), Classification::Nothing);
     /// ```
-    pub fn circle_against_window(circle: &Circle, window: &Window) -> Visibility {
+    pub fn circle_against_window(circle: &Circle, window: &Window) -> Classification {
         let bounds = Rectangle::new(circle.top_left, Size::new_equal(circle.diameter));
         let Some((first, last)) = corners(&bounds).filter(|_| !window.is_empty()) else {
-            return Visibility::Nothing;
+            return Classification::Nothing;
         };
         let (first_code, last_code) = (Outcode::of(first, window), Outcode::of(last, window));
         if !first_code.shared(last_code).is_inside() {
-            return Visibility::Nothing;
+            return Classification::Nothing;
         }
         if first_code.either(last_code).is_inside() {
-            return Visibility::Whole;
+            return Classification::Whole;
         }
         let x = Distances::of(circle.top_left.x, circle.diameter, (window.left, window.right));
         let y = Distances::of(circle.top_left.y, circle.diameter, (window.top, window.bottom));
         if !is_in_circle(circle.diameter, x.nearest, y.nearest) {
-            Visibility::Nothing
+            Classification::Nothing
         } else if is_in_circle(circle.diameter, x.farthest, y.farthest) {
-            Visibility::Fills
+            Classification::Fills
         } else {
-            Visibility::Part
+            Classification::Part
         }
     }
 }

@@ -9,42 +9,46 @@
 use embedded_graphics::{geometry::Point, primitives::Rectangle};
 
 use crate::{
-    clip::{Outcode, Visibility},
+    clip::{Classification, Outcode},
     geometry::Window,
 };
 
-impl Visibility {
+impl Classification {
     /// How much of a rectangle the window shows: exact, by the outcodes of two corners.
     ///
     /// Cost: eight comparisons, no product.
     ///
     /// ```
     /// use embedded_graphics::{mono_font::{MonoTextStyle, ascii::FONT_6X10}, pixelcolor::BinaryColor, prelude::*, text::Text};
-    /// use zrow::{clip::Visibility, geometry::Window};
+    /// use zrow::{clip::Classification, geometry::Window};
     ///
     /// let panel = Window { left: 0, top: 0, right: 128, bottom: 64 };
     /// let style = MonoTextStyle::new(&FONT_6X10, BinaryColor::On);
     /// let at = |x, y| Text::new("zrow", Point::new(x, y), style).bounding_box();
-    /// assert_eq!(Visibility::rectangle_against_window(&at(10, 20), &panel), Visibility::Whole);
-    /// assert_eq!(Visibility::rectangle_against_window(&at(120, 20), &panel), Visibility::Part);
-    /// assert_eq!(Visibility::rectangle_against_window(&at(10, 80), &panel), Visibility::Nothing);
+    /// assert_eq!(Classification::rectangle_against_window(&at(10, 20), &panel), Classification::Whole);
+    /// assert_eq!(Classification::rectangle_against_window(&at(120, 20), &panel), Classification::Part);
+    /// assert_eq!(Classification::rectangle_against_window(&at(10, 80), &panel), Classification::Nothing);
     /// ```
-    pub fn rectangle_against_window(rectangle: &Rectangle, window: &Window) -> Visibility {
+    pub fn rectangle_against_window(rectangle: &Rectangle, window: &Window) -> Classification {
         let Some((first, last)) = corners(rectangle).filter(|_| !window.is_empty()) else {
-            return Visibility::Nothing;
+            return Classification::Nothing;
         };
         let (first_code, last_code) = (Outcode::of(first, window), Outcode::of(last, window));
         if !first_code.shared(last_code).is_inside() {
-            return Visibility::Nothing;
+            return Classification::Nothing;
         }
         if first_code.either(last_code).is_inside() {
-            return Visibility::Whole;
+            return Classification::Whole;
         }
         let fills = first.x <= window.left
             && first.y <= window.top
             && last.x >= window.right - 1
             && last.y >= window.bottom - 1;
-        if fills { Visibility::Fills } else { Visibility::Part }
+        if fills {
+            Classification::Fills
+        } else {
+            Classification::Part
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{Clipper, Operation, Segments, Visibility},
+    clip::{Classification, Clipper, Operation, Segments},
     draw::FillRule,
     geometry::{ConvexWindow, FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, TooSmall, Window},
 };
@@ -410,14 +410,14 @@ fn shown(stage: &Stage, area: &Rectangle, has: impl Fn(Point) -> bool) -> (usize
     (pixels.count(), is_inside)
 }
 
-fn is_right(found: Visibility, (count, is_inside): (usize, bool), pixels: usize, is_empty: bool) -> Verdict {
+fn is_right(found: Classification, (count, is_inside): (usize, bool), pixels: usize, is_empty: bool) -> Verdict {
     let expected = match count {
-        0 => Visibility::Nothing,
-        _ if is_inside => Visibility::Whole,
-        count if count == pixels => Visibility::Fills,
-        _ => Visibility::Part,
+        0 => Classification::Nothing,
+        _ if is_inside => Classification::Whole,
+        count if count == pixels => Classification::Fills,
+        _ => Classification::Part,
     };
-    let expected = if is_empty { Visibility::Nothing } else { expected };
+    let expected = if is_empty { Classification::Nothing } else { expected };
     ensure!(found == expected, "{found:?}, by its pixels {expected:?}");
     Ok(())
 }
@@ -428,12 +428,12 @@ impl Case for PixelsCase {
         let [width, height] = self.size;
         let rectangle = Rectangle::new(stage.point(self.corner), width.by(height));
         let window = Window::from(rectangle);
-        let found = Visibility::rectangle_against_window(&rectangle, &stage.window);
+        let found = Classification::rectangle_against_window(&rectangle, &stage.window);
         let by_pixels = shown(stage, &rectangle, |point| window.contains(point));
         is_right(found, by_pixels, stage.pixels(), rectangle.is_zero_sized()).context("a rectangle")?;
         let part = stage.window.clip_rectangle(&rectangle);
         ensure!(
-            part.is_some() == (found != Visibility::Nothing),
+            part.is_some() == (found != Classification::Nothing),
             "{part:?} of a rectangle: {found:?}"
         );
         if let Some(part) = part {
@@ -442,7 +442,7 @@ impl Case for PixelsCase {
         }
         let circle = Circle::new(rectangle.top_left, width.0);
         let area = Rectangle::new(rectangle.top_left, Size::new_equal(width.0));
-        let found = Visibility::circle_against_window(&circle, &stage.window);
+        let found = Classification::circle_against_window(&circle, &stage.window);
         let by_pixels = shown(stage, &area, |point| exact::ellipse_has(&area, point));
         is_right(found, by_pixels, stage.pixels(), width.0 == 0).context("a circle")?;
         // Anything, against any window.
@@ -455,20 +455,20 @@ impl Case for PixelsCase {
         };
         let any = Rectangle::new(Point::new(top, left), Size::new(self.any_size[0].0, self.any_size[1].0));
         for found in [
-            Visibility::rectangle_against_window(&any, &window),
-            Visibility::circle_against_window(&Circle::new(any.top_left, any.size.width), &window),
+            Classification::rectangle_against_window(&any, &window),
+            Classification::circle_against_window(&Circle::new(any.top_left, any.size.width), &window),
         ] {
             ensure!(
-                !window.is_empty() || found == Visibility::Nothing,
+                !window.is_empty() || found == Classification::Nothing,
                 "{found:?} in an empty window"
             );
         }
         let pixel = Rectangle::new(any.top_left, Size::new_equal(1));
-        let found = Visibility::rectangle_against_window(&pixel, &window);
+        let found = Classification::rectangle_against_window(&pixel, &window);
         let expected = if window.contains(any.top_left) {
-            Visibility::Whole
+            Classification::Whole
         } else {
-            Visibility::Nothing
+            Classification::Nothing
         };
         ensure!(found == expected, "{found:?} of {pixel:?} in {window:?}");
         Ok(())

@@ -13,7 +13,7 @@ use embedded_graphics::{
 use fixed::types::{I16F16, U8F8, U16F16};
 use zrow::{
     band::{Band, PictureLoop, Span, Supersampling, Target},
-    clip::{ClipMatrix, Clipper, Operation, Segments, Visibility},
+    clip::{Classification, ClipMatrix, Clipper, Operation, Segments},
     coverage::{Bartlett, BoxFilter, CentreSample, CoverageMethod, Gaussian, Rooks, SamplePattern, SignedArea},
     draw::{
         AntialiasedPolygon, DrawOn, FillRule, FilteredLine, LineCap, LineJoin, PrimitiveStyle, SeedFill, StrokeStyle,
@@ -250,11 +250,11 @@ fn clippers() {
         });
         "circle_against_window" => {
             let (circle, window) = black_box((Circle::new(Point::zero(), 9), Window::EMPTY));
-            Visibility::circle_against_window(&circle, &window)
+            Classification::circle_against_window(&circle, &window)
         };
         "rectangle_against_window" => {
             let (bounds, window) = black_box((Rectangle::zero(), Window::EMPTY));
-            Visibility::rectangle_against_window(&bounds, &window)
+            Classification::rectangle_against_window(&bounds, &window)
         };
     }
     macro_rules! boolean {

@@ -12,7 +12,7 @@ use embedded_graphics::{
     primitives::{Circle, Rectangle},
 };
 use zrow::{
-    clip::{Clipper, Operation, Visibility},
+    clip::{Classification, Clipper, Operation},
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, Window},
 };
 use zrow_measure_firmware::{
@@ -38,12 +38,12 @@ impl Sum {
         self.0 = self.0.rotate_left(5) ^ number;
     }
 
-    fn add_visibility(&mut self, visibility: Visibility) {
-        self.add(match visibility {
-            Visibility::Nothing => 1,
-            Visibility::Whole => 2,
-            Visibility::Fills => 3,
-            Visibility::Part => 4,
+    fn add_classification(&mut self, classification: Classification) {
+        self.add(match classification {
+            Classification::Nothing => 1,
+            Classification::Whole => 2,
+            Classification::Fills => 3,
+            Classification::Part => 4,
         });
     }
 }
@@ -68,17 +68,17 @@ fn main() -> ! {
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
     for (visibility, sub4, sub8) in [
         (
-            Visibility::Whole,
+            Classification::Whole,
             "polygon.convex.inside.sub4",
             "polygon.convex.inside.sub8",
         ),
         (
-            Visibility::Part,
+            Classification::Part,
             "polygon.convex.crossing.sub4",
             "polygon.convex.crossing.sub8",
         ),
         (
-            Visibility::Nothing,
+            Classification::Nothing,
             "polygon.convex.outside.sub4",
             "polygon.convex.outside.sub8",
         ),
@@ -92,7 +92,7 @@ fn main() -> ! {
 
 type Polygon<S> = [SubPoint<S>; CORNERS];
 
-fn polygons<S: SubPixel>(runner: &mut Runner, name: &str, wanted: Visibility) {
+fn polygons<S: SubPixel>(runner: &mut Runner, name: &str, wanted: Classification) {
     let corners = PANEL.map(|(x, y)| SubPoint::<S>::from_pixel(Point::new(x, y)).unwrap_or_default());
     let Ok(window) = ConvexWindow::new(black_box(&corners)) else {
         report::exit(false)
@@ -125,7 +125,7 @@ fn polygons<S: SubPixel>(runner: &mut Runner, name: &str, wanted: Visibility) {
 }
 
 /// The next polygon of the series that is so visible: up to 80 pixels wide and high, corners in any order.
-fn polygon<S: SubPixel>(uniform: &mut Uniform, window: &ConvexWindow<'_, S>, wanted: Visibility) -> Polygon<S> {
+fn polygon<S: SubPixel>(uniform: &mut Uniform, window: &ConvexWindow<'_, S>, wanted: Classification) -> Polygon<S> {
     loop {
         let around = uniform.around_screen(SCREEN, MARGIN);
         let polygon: Polygon<S> = core::array::from_fn(|_| {
@@ -133,9 +133,9 @@ fn polygon<S: SubPixel>(uniform: &mut Uniform, window: &ConvexWindow<'_, S>, wan
             SubPoint::from_units(unit(around.x), unit(around.y)).unwrap_or_default()
         });
         let found = match window.sutherland_hodgman_2d::<24, 6>(&polygon) {
-            Ok(clipped) if clipped[..] == polygon => Visibility::Whole,
-            Ok(clipped) if clipped.is_empty() => Visibility::Nothing,
-            _ => Visibility::Part,
+            Ok(clipped) if clipped[..] == polygon => Classification::Whole,
+            Ok(clipped) if clipped.is_empty() => Classification::Nothing,
+            _ => Classification::Part,
         };
         if found == wanted {
             return polygon;
@@ -146,16 +146,24 @@ fn polygon<S: SubPixel>(uniform: &mut Uniform, window: &ConvexWindow<'_, S>, wan
 fn shapes(runner: &mut Runner) {
     let window: Window = black_box(Rectangle::new(Point::zero(), SCREEN)).into();
     for (wanted, circle, rectangle) in [
-        (Visibility::Whole, "circle.window.inside", "rectangle.window.inside"),
-        (Visibility::Part, "circle.window.crossing", "rectangle.window.crossing"),
-        (Visibility::Nothing, "circle.window.outside", "rectangle.window.outside"),
+        (Classification::Whole, "circle.window.inside", "rectangle.window.inside"),
+        (
+            Classification::Part,
+            "circle.window.crossing",
+            "rectangle.window.crossing",
+        ),
+        (
+            Classification::Nothing,
+            "circle.window.outside",
+            "rectangle.window.outside",
+        ),
     ] {
         let mut uniform = Uniform::default();
         let mut place = || uniform.around_screen(SCREEN, MARGIN);
         let circles: [Circle; 200] = core::array::from_fn(|_| {
             next(
                 || Circle::new(place(), 50),
-                |circle| Visibility::circle_against_window(circle, &window),
+                |circle| Classification::circle_against_window(circle, &window),
                 wanted,
             )
         });
@@ -163,27 +171,31 @@ fn shapes(runner: &mut Runner) {
             let rectangle = || Rectangle::new(place(), Size::new(60, 10));
             next(
                 rectangle,
-                |shape| Visibility::rectangle_against_window(shape, &window),
+                |shape| Classification::rectangle_against_window(shape, &window),
                 wanted,
             )
         });
         let mut sum = Sum(0);
         if runner.wants(circle) {
             runner.count(circle, "circle_against_window", &mut sum, &circles, |sum, circle| {
-                sum.add_visibility(Visibility::circle_against_window(circle, &window));
+                sum.add_classification(Classification::circle_against_window(circle, &window));
             });
         }
         if runner.wants(rectangle) {
             let variant = "rectangle_against_window";
             runner.count(rectangle, variant, &mut sum, &rectangles, |sum, rectangle| {
-                sum.add_visibility(Visibility::rectangle_against_window(rectangle, &window));
+                sum.add_classification(Classification::rectangle_against_window(rectangle, &window));
             });
         }
     }
 }
 
 /// The next shape of a series that is so visible.
-fn next<Shape>(mut shape: impl FnMut() -> Shape, classify: impl Fn(&Shape) -> Visibility, wanted: Visibility) -> Shape {
+fn next<Shape>(
+    mut shape: impl FnMut() -> Shape,
+    classify: impl Fn(&Shape) -> Classification,
+    wanted: Classification,
+) -> Shape {
     loop {
         let shape = shape();
         if classify(&shape) == wanted {

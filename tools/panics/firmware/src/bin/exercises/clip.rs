@@ -1,6 +1,6 @@
 use zrow::{
     clip::{
-        ClipMatrix, ClipPlane, ClipPoint, Clipper, Contour, Operation, ParametricSegment, SpaceSegment, Visibility,
+        Classification, ClipMatrix, ClipPlane, ClipPoint, Clipper, Contour, Operation, ParametricSegment, SpaceSegment,
     },
     geometry::{ConvexWindow, Sub4, Sub8, SubPixel, Window},
 };
@@ -31,7 +31,7 @@ fn shapes() {
     }
     zrow_methods::shapes_in_window!(clip_by_each);
     keep(Window::clip_rectangle(any(), any()));
-    eq::<Visibility>();
+    eq::<Classification>();
 }
 
 #[inline(never)]

@@ -3,7 +3,7 @@
 /// How much of a shape a window shows.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Visibility {
+pub enum Classification {
     /// No pixel of it: rejected.
     Nothing,
     /// Every pixel of it: accepted, and drawn without a further question.
