@@ -12,6 +12,7 @@ mod circles;
 mod corners;
 mod curves;
 mod figures;
+mod hidden_surfaces;
 mod lines;
 mod look;
 mod methods;
@@ -28,6 +29,7 @@ pub use circles::{CIRCLE_CENTER, CIRCLE_SIZE, CircleInput, CircleMethod, DISCS, 
 pub use corners::{PRECISIONS, Precision, Rounded};
 pub use curves::{CURVE_SCREEN, CURVE_SIBLINGS, CURVES, CurveInput, CurveSibling, TOLERANCES, Tolerance, curves};
 pub use figures::{FIGURE_SIZES, Figure};
+pub use hidden_surfaces::{HIDDEN_SURFACES, HiddenSurfaces};
 pub use lines::{LINE_GROUPS, LINE_SIBLINGS, Line, LineGroup, LineSibling, SCREEN, UPRIGHT_SCREEN, cut_lines};
 pub use look::LookOf;
 pub use methods::{Input, METHODS, Method};

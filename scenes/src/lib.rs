@@ -19,6 +19,7 @@ pub mod flight;
 pub mod fonts;
 pub mod gauge;
 pub mod gem;
+pub mod hidden;
 pub mod instruments;
 pub mod line_siblings;
 pub mod meshes;

@@ -36,6 +36,8 @@ enum Command {
     Mesh(tool::Options),
     /// Links firmware that calls the whole public API, and fails if a panic is in it
     Panics(tool::Options),
+    /// Measures what each method of visibility costs over faces and layers, and writes docs/visibility.md
+    Visibility(tool::Options),
 }
 
 fn main() -> anyhow::Result<ExitCode> {
@@ -57,6 +59,10 @@ fn main() -> anyhow::Result<ExitCode> {
         Some(Command::Measure(options)) => ("measure", options),
         Some(Command::Mesh(options)) => ("mesh", options),
         Some(Command::Panics(options)) => ("panics", options),
+        Some(Command::Visibility(options)) => {
+            first = &["--only", "visibility.", "--docs"];
+            ("measure", options)
+        }
     };
     let status = tool::run(name, first, options)?;
     Ok(if status.success() {

@@ -10,6 +10,7 @@ mod firmware;
 mod report;
 mod selection;
 mod siblings;
+mod visibility;
 
 use std::{
     collections::HashMap,
@@ -59,9 +60,13 @@ pub struct Options {
 /// count is void.
 pub fn run(options: &Options) -> anyhow::Result<()> {
     let mut cases = cases::all();
-    // A report of its own, which takes minutes: counted where it is asked for.
-    if options.only.as_ref().is_some_and(|only| only.starts_with("effect")) {
+    // Reports of their own, which take minutes: counted where they are asked for.
+    let is_only = |report| options.only.as_ref().is_some_and(|only| only.starts_with(report));
+    if is_only("effect") {
         cases.extend(effects::cases());
+    }
+    if is_only("visibility") {
+        cases.extend(visibility::cases());
     }
     let cases = selection::select(cases, options.only.as_deref(), options.target.as_deref())?;
     let plugin = if options.no_cycles {

@@ -1,4 +1,5 @@
-//! Pages of `docs/` with figures that were measured: the algorithms, how tall a band should be, and what effects cost.
+//! Pages of `docs/` with figures that were measured: the algorithms, how tall a band should be, what effects cost, and what
+//! methods of visibility do.
 //!
 //! A table lies between the comments `<!-- NAME -->` and `<!-- end -->`; everything else of a page is written by hand.
 
@@ -11,6 +12,8 @@ mod effects;
 mod page;
 mod plot;
 mod scene_looks;
+mod visibility;
+mod visibility_plot;
 
 use anyhow::bail;
 
@@ -25,6 +28,7 @@ pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
     let has_any = |names: &[String]| figures.iter().any(|figure| names.contains(&figure.case.name));
     let (of_algorithms, of_bands) = (has_any(&algorithms::names()), has_any(&band_height::names()));
     let of_effects = has_any(&effects::names());
+    let of_visibility = has_any(&visibility::names());
     if of_algorithms {
         algorithms::refill(figures)?;
     }
@@ -34,7 +38,10 @@ pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
     if of_effects {
         effects::refill(figures)?;
     }
-    if !of_algorithms && !of_bands && !of_effects {
+    if of_visibility {
+        visibility::refill(figures)?;
+    }
+    if !of_algorithms && !of_bands && !of_effects && !of_visibility {
         bail!("docs/ has none of these figures: leave out --only, or take --only picture.dashboard");
     }
     Ok(())

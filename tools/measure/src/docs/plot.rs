@@ -97,7 +97,7 @@ impl Scale {
 }
 
 /// How far a number is on the way from one end of a logarithmic axis to the other.
-fn part(number: f64, [start, end]: [f64; 2]) -> f64 {
+pub(super) fn part(number: f64, [start, end]: [f64; 2]) -> f64 {
     (number / start).ln() / (end / start).ln()
 }
 
