@@ -68,6 +68,10 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
     if is_only("visibility") {
         cases.extend(visibility::cases());
     }
+    // A program for each sibling, which has no budget: for the page that shows them.
+    if is_only("flash.sibling") || options.docs {
+        cases.extend(siblings::flash());
+    }
     let cases = selection::select(cases, options.only.as_deref(), options.target.as_deref())?;
     let plugin = if options.no_cycles {
         None
@@ -136,6 +140,7 @@ pub fn has_figure(name: &str) -> bool {
 fn report_cases() -> impl Iterator<Item = Case> {
     let cases = cases::all()
         .into_iter()
+        .chain(siblings::flash())
         .chain(accuracy::report_cases())
         .chain(effects::cases());
     cases.filter(|case| case.is_count_on_m4() || case.is_memory())

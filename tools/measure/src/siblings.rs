@@ -51,20 +51,24 @@ const fn differing(variant: &'static str) -> Sibling {
     }
 }
 
-/// A case for each count and sibling, on a core with and without a divider, and the flash of each sibling.
+/// A case for each count and sibling, on a core with and without a divider.
 pub fn cases() -> impl Iterator<Item = Case> {
-    let counts = [V7EM, V6M].into_iter().flat_map(|target| {
+    [V7EM, V6M].into_iter().flat_map(|target| {
         let families = FAMILIES
             .iter()
             .chain([&INSTRUMENTS, &CLIP_PRECISION, &ROWS, &TEXTS, &TEXT_FONTS]);
         families
             .flat_map(move |family| family.cases(target))
             .chain(accuracy::classes(target))
-    });
-    let siblings = FAMILIES.iter().flat_map(Family::siblings);
+    })
+}
+
+/// The flash of each sibling, which is linked into a program of its own.
+pub fn flash() -> impl Iterator<Item = Case> {
     let mut variants = BTreeSet::new();
+    let siblings = FAMILIES.iter().flat_map(Family::siblings);
     let siblings = siblings.filter(move |sibling| variants.insert(sibling.variant));
-    counts.chain(siblings.map(|sibling| Case::sibling_flash(sibling.variant)))
+    siblings.map(|sibling| Case::sibling_flash(sibling.variant))
 }
 
 /// Columns of the pictures that samples are counted with.
