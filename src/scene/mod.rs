@@ -46,6 +46,7 @@ mod estimate;
 mod faces;
 mod frame;
 mod lens;
+mod lines;
 mod look;
 mod memory;
 mod model;

@@ -16,13 +16,14 @@ use crate::{
         estimate::RowDrawing,
         faces::{self, ScreenFace},
         frame::ActiveListOf,
+        lines::Lines,
         prepared_faces::{FrameUniforms, PreparedFaces, RowMemory},
         silhouette_tables::SilhouetteTables,
     },
     shade::{ChannelColor, InstructionSet, Shading},
     surface::{Order, Target},
     view::Camera,
-    visible::{BandPainter, DepthRow, DepthUse, Silhouettes, Visibility, face_at},
+    visible::{BandPainter, DepthRow, DepthUse, HiddenLines, LinePart, Silhouettes, Visibility, face_at},
 };
 
 /// A scene ready to be drawn, in the memory of a [`Frame`].
@@ -506,6 +507,34 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         edges: &'e [Edge],
     ) -> impl Iterator<Item = ScreenEdge<L::Precision, L::Depth>> + use<'e, 'f, 'm, L> {
         edges::edges::<L>(self.faces.vertices, self.faces.models, &self.faces.camera, model, edges)
+    }
+
+    /// The [`edges`](Self::edges) of all models, cut into parts that faces hide and parts that are visible, found by one of the
+    /// methods of [`visible`](crate::visible). A method that is not named is not linked.
+    ///
+    /// `edges` has the table of edges of each model, in the order of models. A model without a table has no edges; its faces
+    /// hide those of others.
+    ///
+    /// The parts of an edge follow each other from its first to its second end, hidden and visible ones in turns, and cover it
+    /// without gaps. An edge whose ends are the same point on the screen has none. Outside of the viewport, hidden parts may be
+    /// taken for visible ones.
+    ///
+    /// # Errors
+    /// The method has too little memory: says how much would do. Nothing was handed over.
+    pub fn visible_parts(
+        &self,
+        method: &mut impl HiddenLines<L::Depth>,
+        edges: &[&[Edge]],
+        mut part: impl FnMut(LinePart<L::Precision>),
+    ) -> Result<(), TooSmall> {
+        let table = Lines::<L> {
+            vertices: self.faces.vertices,
+            models: self.faces.models,
+            camera: &self.faces.camera,
+            fragments: self.fragments.clone(),
+            edges,
+        };
+        method.visible_parts(&table, &mut part)
     }
 }
 

@@ -36,6 +36,7 @@ mod divided_runs;
 mod edge;
 mod face_edges;
 mod face_table;
+mod hidden_lines;
 mod hidden_surfaces;
 mod painter;
 mod passes;
@@ -49,6 +50,7 @@ mod silhouette_row;
 mod touched_columns;
 mod visibility;
 
+pub use hidden_lines::{FaceAgainstSegment, HiddenLines, LinePart, PartKind};
 pub use hidden_surfaces::{
     DepthBuffer, DepthSort, DepthSortCounters, OneDepth, RayCasting, SpanScanLine, TileBins, Warnock,
 };
@@ -60,6 +62,7 @@ pub(crate) use count::Count;
 pub(crate) use depth_row::DepthRow;
 pub(crate) use face_edges::FaceEdges;
 pub(crate) use face_table::{ColoredFace, FaceTable, NONE};
+pub(crate) use hidden_lines::{LineEdge, LineFace, LinePoint, LineTable};
 pub(crate) use hidden_surfaces::face_at;
 pub(crate) use painter::BandPainter;
 pub(crate) use silhouette_edge::ActiveEdge;
