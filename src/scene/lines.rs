@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::{
-    mesh::Edge,
+    mesh::{Edge, EdgeKind},
     scene::{
         Look, Model,
         clipping::side_in_eye_space,
@@ -17,7 +17,7 @@ use crate::{
         preparation::is_front,
     },
     view::{Camera, DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::{LineEdge, LineFace, LinePoint, LineTable},
+    visible::{LineEdge, LineFace, LinePart, LinePoint, LineTable, PartKind},
 };
 
 /// What is read of a prepared frame, and the tables of edges of its models.
@@ -79,6 +79,28 @@ impl<'m, L: Look> Lines<'_, 'm, L> {
             is_front,
             is_seen: true,
         })
+    }
+
+    /// Hands over the edges at which all faces are turned away, each as one hidden part.
+    pub(super) fn hand_over_turned_away(&self, part: &mut impl FnMut(LinePart<L::Precision>)) {
+        for (model, table) in self.edges.iter().enumerate() {
+            for edge in edges::edges_turned_away::<L>(self.vertices, self.models, self.camera, model, table) {
+                let [from, to] = edge.ends.map(|end| end.point);
+                if from == to {
+                    continue;
+                }
+                part(LinePart {
+                    model,
+                    edge: Some(edge.index),
+                    ends: [from, to],
+                    kind: match edge.kind {
+                        EdgeKind::Boundary => PartKind::Boundary,
+                        EdgeKind::Crease | EdgeKind::Smooth => PartKind::Crease,
+                    },
+                    is_hidden: true,
+                });
+            }
+        }
     }
 
     /// The model of a face by its index in the order of models and faces, with its own index.

@@ -519,6 +519,9 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// without gaps. An edge whose ends are the same point on the screen has none. Outside of the viewport, hidden parts may be
     /// taken for visible ones.
     ///
+    /// Last come the creases and boundaries at which all faces are turned away, which are none of the edges to be drawn: each is
+    /// one hidden part, as where solids are closed. So a technical drawing has the back of a solid, dashed.
+    ///
     /// # Errors
     /// The method has too little memory: says how much would do. Nothing was handed over.
     pub fn visible_parts(
@@ -534,7 +537,9 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
             fragments: self.fragments.clone(),
             edges,
         };
-        method.visible_parts(&table, &mut part)
+        method.visible_parts(&table, &mut part)?;
+        table.hand_over_turned_away(&mut part);
+        Ok(())
     }
 }
 

@@ -21,6 +21,7 @@ mod double_sided;
 mod estimates;
 mod flight;
 mod fog;
+mod hidden_lines;
 mod holes;
 mod lighting;
 mod looks;

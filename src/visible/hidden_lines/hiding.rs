@@ -9,7 +9,8 @@
 //! ```
 //!
 //! Stored depths are rounded to a unit, and positions to that of the precision, so that what lies in the plane of a face in
-//! space may lie somewhat behind it here. A face hides only what is behind it by more than the [tolerance](TOLERANCE). Where a
+//! space may lie somewhat behind it here. A face hides only what is behind it by more than a tolerance: 2 units of depth (8 of depths with 24
+//! bits), and what the face's depth changes over one unit of x and one of y. Where a
 //! corner of the face is an end of the edge, both to the unit, the edge begins in the plane: it is hidden there from this end
 //! on if it is behind by more than the tolerance where it leaves the triangle. A face that has both ends hides nothing of the
 //! edge.
@@ -69,7 +70,8 @@ impl HidingFace {
         let hidden = match touches {
             [true, _] => self.wedge(second, within[1], tolerance).then_some(within),
             [_, true] => self.wedge(first, END - within[0], tolerance).then_some(within),
-            _ => cut(within, [first - tolerance, second - tolerance]),
+            // Behind by more: by one at least.
+            _ => cut(within, narrowed([first - tolerance - 1, second - tolerance - 1])),
         };
         hidden.filter(|[start, end]| start < end)
     }
@@ -86,11 +88,7 @@ impl HidingFace {
         let [a, b, c] = self.corners;
         let mut within = [0, END];
         for line in [[a, b], [b, c], [c, a]] {
-            let [first, second] = ends.map(|end| i128::from(side(line, end)));
-            if first < 0 && second < 0 {
-                return None;
-            }
-            within = cut(within, [first, second])?;
+            within = cut(within, ends.map(|end| side(line, end)))?;
         }
         Some(within)
     }
@@ -102,6 +100,14 @@ impl HidingFace {
         let part =
             |line: [LinePoint; 2], opposite: LinePoint| i128::from(side(line, point)) * i128::from(opposite.depth);
         part([b, c], a) + part([c, a], b) + part([a, b], c) - i128::from(self.area) * i128::from(point.depth)
+    }
+
+    /// Whether some of the corners of another face are behind the plane of this one and some before it, by more than the
+    /// tolerance.
+    pub(super) fn is_crossed_by<D: DepthWidth>(&self, corners: &[LinePoint; 3]) -> bool {
+        let tolerance = self.tolerance::<D>();
+        let [a, b, c] = corners.map(|corner| self.behind(corner));
+        a.max(b).max(c) > tolerance && a.min(b).min(c) < -tolerance
     }
 
     /// The tolerance of the face, in units of depth times [`area`](Self::area).
@@ -125,8 +131,9 @@ pub(super) fn side([from, to]: [LinePoint; 2], point: LinePoint) -> i64 {
     width * i64::from(point.y - from.y) - height * i64::from(point.x - from.x)
 }
 
-/// What is left of an interval where a function is not below 0 that changes linearly, given its values at 0 and at [`END`].
-pub(super) fn cut([start, end]: [u32; 2], values: [i128; 2]) -> Option<[u32; 2]> {
+/// What is left of an interval where a function is not below 0 that changes linearly, given its values at 0 and at [`END`], each
+/// below 2^62.
+pub(super) fn cut([start, end]: [u32; 2], values: [i64; 2]) -> Option<[u32; 2]> {
     let [first, second] = values;
     let (start, end) = match (first < 0, second < 0) {
         (true, true) => return None,
@@ -137,14 +144,21 @@ pub(super) fn cut([start, end]: [u32; 2], values: [i128; 2]) -> Option<[u32; 2]>
     (start <= end).then_some([start, end])
 }
 
+/// Two values with so many of their low bits left out that both are below 2^62; their signs stay.
+pub(super) fn narrowed(values: [i128; 2]) -> [i64; 2] {
+    let [first, second] = values.map(i128::unsigned_abs);
+    let bits = u128::BITS - (first | second).leading_zeros();
+    values.map(|value| (value >> bits.saturating_sub(62)) as i64)
+}
+
 /// The parameter where a linear function is 0 of which one of the values at 0 and at [`END`] is below 0 and the other one is
 /// not. Off by less than 2 of 2^30.
-fn zero_between([first, second]: [i128; 2]) -> u32 {
+pub(super) fn zero_between([first, second]: [i64; 2]) -> u32 {
     let (way, whole) = (first.unsigned_abs(), first.abs_diff(second));
     // 32 bits of the whole way are enough.
-    let shift = (u128::BITS - whole.leading_zeros()).saturating_sub(u32::BITS);
+    let shift = (u64::BITS - whole.leading_zeros()).saturating_sub(u32::BITS);
     match NonZeroU32::new((whole >> shift) as u32) {
-        Some(whole) => quotient_down(u64::from((way >> shift) as u32) << PARAMETER_BITS, whole).min(END),
+        Some(whole) => quotient_down((way >> shift) << PARAMETER_BITS, whole).min(END),
         None => 0,
     }
 }

@@ -5,7 +5,9 @@
 //! numbers are integers.
 
 mod face_against_segment;
+mod face_box;
 mod hiding;
+mod intersection;
 mod line_part;
 mod line_table;
 mod method;

@@ -99,13 +99,23 @@ impl<'p, S: ScreenPrecision, F: FnMut(LinePart<S>)> Parts<'p, S, F> {
     }
 }
 
-/// The point of a line at a parameter from 0 to [`END`], to the nearest unit.
-fn point_at<S: ScreenPrecision>([from, to]: &[LinePoint; 2], parameter: u32) -> SubPoint<S> {
+/// The point of a line at a parameter from 0 to [`END`] on the screen, to the nearest unit.
+fn point_at<S: ScreenPrecision>(ends: &[LinePoint; 2], parameter: u32) -> SubPoint<S> {
+    let LinePoint { x, y, .. } = at(ends, parameter);
+    // Between two points of the domain.
+    SubPoint::from_units(x, y).unwrap_or_default()
+}
+
+/// The point of a line at a parameter from 0 to [`END`], to the nearest units.
+pub(super) fn at([from, to]: &[LinePoint; 2], parameter: u32) -> LinePoint {
     let between = |from: i32, to: i32| {
-        // Differences below 2^23.
+        // Differences below 2^25.
         let way = i64::from(to - from) * i64::from(parameter);
         from + ((way + i64::from(END / 2)) >> PARAMETER_BITS) as i32
     };
-    // Between two points of the domain.
-    SubPoint::from_units(between(from.x, to.x), between(from.y, to.y)).unwrap_or_default()
+    LinePoint {
+        x: between(from.x, to.x),
+        y: between(from.y, to.y),
+        depth: between(from.depth, to.depth),
+    }
 }
