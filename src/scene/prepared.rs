@@ -522,6 +522,67 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// Last come the creases and boundaries at which all faces are turned away, which are none of the edges to be drawn: each is
     /// one hidden part, as where solids are closed. So a technical drawing has the back of a solid, dashed.
     ///
+    /// A part has the `ends` of a line on the screen in sub-pixel units, and the `pixels()` that they are in; `is_hidden`; its
+    /// [`kind`](crate::visible::PartKind); and the index of its `model` and its `edge`.
+    ///
+    /// ```
+    /// use embedded_graphics::{
+    ///     pixelcolor::Gray8,
+    ///     prelude::*,
+    ///     primitives::{Line, Rectangle},
+    /// };
+    /// use fixed::types::{I2F14, I16F16, U0F16};
+    /// use zrow::{
+    ///     band::Band,
+    ///     draw::{DrawOn, PrimitiveStyle},
+    ///     scene::{Camera, Edge, FaceSet, Memory, Model, Pose, Rotation},
+    ///     visible::FaceAgainstSegment,
+    /// };
+    ///
+    /// /// Vertex n of a cube lies at the bits of n.
+    /// const VERTICES: [[i16; 3]; 8] = [
+    ///     [-300, -300, -300], [300, -300, -300], [-300, 300, -300], [300, 300, -300],
+    ///     [-300, -300, 300], [300, -300, 300], [-300, 300, 300], [300, 300, 300],
+    /// ];
+    /// const FACES: [[u16; 3]; 12] = [
+    ///     [0, 2, 3], [0, 3, 1], [4, 5, 7], [4, 7, 6], [0, 1, 5], [0, 5, 4],
+    ///     [2, 6, 7], [2, 7, 3], [0, 4, 6], [0, 6, 2], [1, 3, 7], [1, 7, 5],
+    /// ];
+    /// /// The twelve edges, without the diagonals.
+    /// static EDGES: [Edge; 12] = match FaceSet::find_edges(&VERTICES, &FACES, I2F14::lit("0.866")) {
+    ///     Ok(edges) => edges,
+    ///     Err(_) => panic!("a face names a vertex that is not there, or the table is too small"),
+    /// };
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let rotation = Rotation::about_y(U0F16::lit("0.1")).then(&Rotation::about_x(U0F16::lit("0.92")));
+    /// let pose = Pose::new(rotation, [I16F16::ZERO, I16F16::ZERO, I16F16::from_num(1_200)]);
+    /// let models = [Model::new(FaceSet::new(&VERTICES, &FACES)?, &[Gray8::BLACK; 12])?.with_pose(pose)];
+    /// let mut memory = Memory::<Gray8, 8, 12, 64, 64>::new();
+    /// let scene = memory.prepare(&camera, &models)?;
+    ///
+    /// let mut words = [0; 64 * 64];
+    /// let mut band = Band::<Gray8>::new(area, &mut words)?;
+    /// // Room for twelve faces, and for four segments that wait.
+    /// let mut method = FaceAgainstSegment::<12, 4>::new();
+    /// let (mut visible, mut hidden) = (0, 0);
+    /// scene.visible_parts(&mut method, &[&EDGES], |part| {
+    ///     *if part.is_hidden { &mut hidden } else { &mut visible } += 1;
+    ///     let color = if part.is_hidden { Gray8::new(80) } else { Gray8::WHITE };
+    ///     let [start, end] = part.pixels();
+    ///     let Ok(()) = Line::new(start, end)
+    ///         .into_styled(PrimitiveStyle::with_stroke(color, 1))
+    ///         .draw_on(&mut band);
+    /// })?;
+    /// // Three of the edges meet in the corner that is farthest away.
+    /// assert_eq!((visible, hidden), (9, 3));
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    ///
+    /// Technical drawings have hidden parts dashed: with a [`StrokeStyle`](crate::draw::StrokeStyle) that has
+    /// [`dashes`](crate::draw::StrokeStyle::dashes), which [`DrawAntialiased`](crate::draw::DrawAntialiased) draws as well.
+    ///
     /// # Errors
     /// The method has too little memory: says how much would do. Nothing was handed over.
     pub fn visible_parts(

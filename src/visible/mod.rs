@@ -1,4 +1,5 @@
-//! Hidden surfaces: which face is seen in each pixel, found by one of several methods that all draw the same picture.
+//! Hidden surfaces, and hidden lines: which face is seen in each pixel, found by one of several methods that all draw the same
+//! picture, and which parts of edges are hidden.
 //!
 //! The default is the depth row, which [`Prepared::draw`](crate::scene::Prepared::draw) draws with: a depth buffer one row wide
 //! is enough, because every face that crosses a row is drawn while that row is. Faces wait in a table by their first row (the y
@@ -16,6 +17,12 @@
 //! - [`TileBins`]: lists of faces for tiles of 16 x 16 pixels, and a depth buffer of one tile (Fuchs and others 1989). For wide
 //!   panels, and for several cores.
 //! - [`Warnock`]: quarters of the window until one face is seen in them (Warnock 1969). Where faces are large.
+//!
+//! Hidden lines: which parts of the edges of models are hidden. [`Prepared::visible_parts`](crate::scene::Prepared::visible_parts)
+//! takes one of the methods ([`HiddenLines`]) and hands over each edge in [parts](LinePart):
+//!
+//! - [`FaceAgainstSegment`]: each edge compared with each face (Galimberti and Montanari 1969). For solids of any shape, also
+//!   where they penetrate each other.
 
 // Why seldom taken functions are marked as cold in these files and in those of `scene`: without the marks, a frame of the torus
 // and cube takes 0.4 % more instructions on a Cortex-M3 and 1.6 % more on a Cortex-M0+, preparing it 1.5 % and 0.7 %. They cost

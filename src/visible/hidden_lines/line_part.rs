@@ -1,5 +1,7 @@
 //! What methods of hidden lines hand over: parts of edges.
 
+use embedded_graphics::geometry::Point;
+
 use crate::{geometry::SubPoint, view::ScreenPrecision};
 
 /// A part of an edge that is hidden or visible as a whole, on the screen.
@@ -16,6 +18,16 @@ pub struct LinePart<S: ScreenPrecision> {
     pub kind: PartKind,
     /// Whether faces hide the part. Technical drawings have hidden parts dashed, others leave them out.
     pub is_hidden: bool,
+}
+
+impl<S: ScreenPrecision> LinePart<S> {
+    /// The pixels that the ends are in: their positions to the nearest pixel, halves to the right and down.
+    pub fn pixels(&self) -> [Point; 2] {
+        let nearest = |units: i32| (units + (1 << (S::FRACTION_BITS - 1))) >> S::FRACTION_BITS;
+        let pixel = |end: &SubPoint<S>| Point::new(nearest(end.x_units()), nearest(end.y_units()));
+        let [from, to] = &self.ends;
+        [pixel(from), pixel(to)]
+    }
 }
 
 /// What kind of line a part of an edge is in a line drawing.

@@ -17,7 +17,9 @@ use zrow::{
     band::{Band, BigEndian, LittleEndian, Order},
     draw::{Picture, PictureSlot},
     geometry::{InputError, Sub4, Sub8, TooSmall, Window},
-    scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation, SceneItem, ScreenPrecision},
+    scene::{
+        Camera, DepthWidth, Edge as SceneEdge, FaceSet, Memory, Model, Pose, Rotation, SceneItem, ScreenPrecision,
+    },
 };
 use zrow_methods::LookOf;
 
@@ -174,6 +176,19 @@ impl AnyScene {
 
     pub fn meshes(&self) -> Vec<Mesh> {
         self.models.0.iter().map(AnyModel::mesh).collect()
+    }
+}
+
+impl Mesh {
+    /// The sides of all faces: those of faces with an even number as boundaries, the others as creases that have no other face.
+    pub fn edges(&self) -> Vec<SceneEdge> {
+        let sides = (0..).zip(&self.faces).flat_map(|(face, &[a, b, c])| {
+            [[a, b], [b, c], [c, a]].map(|ends| match face % 2 {
+                0 => SceneEdge::boundary(ends, face),
+                _ => SceneEdge::crease(ends, [face; 2]),
+            })
+        });
+        sides.collect()
     }
 }
 

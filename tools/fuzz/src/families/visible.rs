@@ -1,4 +1,4 @@
-//! `zrow::visible`: any faces by all methods of visibility, with memory that is enough or not.
+//! `zrow::visible`: any faces by all methods of visibility and of hidden lines, with memory that is enough or not.
 
 use anyhow::{Context, bail, ensure};
 use arbitrary::Arbitrary;
@@ -7,13 +7,16 @@ use zrow::{
     band::LittleEndian,
     geometry::{Sub4, Sub8, Window},
     scan::Polygons,
-    scene::{DepthWidth, Prepared, ScreenPrecision},
-    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock},
+    scene::{DepthWidth, Edge, Prepared, ScreenPrecision},
+    visible::{
+        DepthBuffer, DepthSort, FaceAgainstSegment, HiddenLines, LinePart, OneDepth, RayCasting, SpanScanLine,
+        TileBins, Visibility, Warnock,
+    },
 };
 use zrow_methods::LookOf;
 
 use crate::{
-    families::scene::{AnyScene, Kind, Large, color, colors, models},
+    families::scene::{AnyScene, Kind, Large, Mesh, color, colors, models},
     picture::{Canvas, background, is_same},
     target::{Case, Verdict},
 };
@@ -51,6 +54,40 @@ fn check_method<S: ScreenPrecision, D: DepthWidth>(
             Ok(())
         }
     }
+}
+
+/// The parts of all edges by a method, of which those of one edge are a chain; or an error, and nothing was handed over.
+fn parts_by<S: ScreenPrecision, D: DepthWidth>(
+    prepared: &Prepared<'_, '_, Look<S, D>>,
+    edges: &[&[Edge]],
+    method: &mut impl HiddenLines<D>,
+) -> anyhow::Result<Option<Vec<LinePart<S>>>> {
+    let mut parts: Vec<LinePart<S>> = Vec::new();
+    if let Err(error) = prepared.visible_parts(method, edges, |part| parts.push(part)) {
+        ensure!(error.needed() > 0 && parts.is_empty(), "{error}");
+        return Ok(None);
+    }
+    for pair in parts.windows(2) {
+        let [one, other] = pair else { continue };
+        let is_same_edge = one.edge.is_some() && (one.model, one.edge) == (other.model, other.edge);
+        let follows = one.ends[1] == other.ends[0] && one.is_hidden != other.is_hidden;
+        ensure!(follows || !is_same_edge, "{one:?} before {other:?}");
+    }
+    Ok(Some(parts))
+}
+
+/// Hidden lines: the same parts however little memory the method has.
+fn check_lines<S: ScreenPrecision, D: DepthWidth>(
+    prepared: &Prepared<'_, '_, Look<S, D>>,
+    edges: &[&[Edge]],
+) -> Verdict {
+    let expected = parts_by::<S, D>(prepared, edges, &mut FaceAgainstSegment::<300, 16, true>::new())?;
+    ensure!(expected.is_some(), "no room for all faces");
+    let without_stack = parts_by::<S, D>(prepared, edges, &mut FaceAgainstSegment::<300, 0, true>::new())?;
+    ensure!(without_stack == expected, "other parts without a stack");
+    let with_few = parts_by::<S, D>(prepared, edges, &mut FaceAgainstSegment::<4, 2, true>::new())?;
+    ensure!(with_few.is_none() || with_few == expected, "other parts with few faces");
+    Ok(())
 }
 
 impl VisibilityCase {
@@ -103,7 +140,9 @@ impl VisibilityCase {
             Warnock::<300>::new(), true;
             Warnock::<3, _>::by_region_codes(), true;
         }
-        Ok(())
+        let edges: Vec<_> = meshes.iter().map(Mesh::edges).collect();
+        let edges: Vec<_> = edges.iter().map(Vec::as_slice).collect();
+        check_lines::<S, D>(&prepared, &edges)
     }
 }
 

@@ -5,7 +5,8 @@ use zrow::{
     scene::{Deep, Fine, Look, Prepared},
     shade::{Texels, Textured},
     visible::{
-        DepthBuffer, DepthSort, DepthSortCounters, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock,
+        DepthBuffer, DepthSort, DepthSortCounters, FaceAgainstSegment, HiddenLines, LinePart, OneDepth, PartKind,
+        RayCasting, SpanScanLine, TileBins, Visibility, Warnock,
     },
 };
 use zrow_panics_firmware::{any, keep};
@@ -15,6 +16,8 @@ use crate::foreign::{clone, default, eq};
 pub const EXERCISES: &[fn()] = &[
     methods::<Rgb565, BigEndian>,
     methods::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>, LittleEndian>,
+    hidden_lines::<Rgb565>,
+    hidden_lines::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>>,
 ];
 
 /// Each method in a look.
@@ -65,6 +68,27 @@ fn methods<L: Look, O: Order + 'static>() {
     keep(Warnock::<500, _>::by_ray_crossings());
     keep(Warnock::<500, _>::by_angle_sum());
     keep(Warnock::<500, _>::by_region_codes());
+}
+
+/// Each method of hidden lines in a look.
+#[inline(never)]
+fn hidden_lines<L: Look>() {
+    eq::<LinePart<L::Precision>>();
+    keep(LinePart::<L::Precision>::pixels(any()));
+    eq::<PartKind>();
+
+    keep(FaceAgainstSegment::<500, 16, true>::new());
+    keep(FaceAgainstSegment::<500, 16, true>::faces_tested(any()));
+    keep(FaceAgainstSegment::<500, 16, true>::segments_repeated(any()));
+    default::<FaceAgainstSegment<500, 16, true>>();
+    visible_parts::<L, FaceAgainstSegment<500, 16, true>>();
+}
+
+#[inline(never)]
+fn visible_parts<L: Look, V: HiddenLines<L::Depth> + 'static>() {
+    keep(Prepared::<L>::visible_parts(any(), any::<&mut V>(), any(), |part| {
+        keep(part)
+    }));
 }
 
 #[inline(never)]
