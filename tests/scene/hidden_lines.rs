@@ -1,6 +1,6 @@
 //! Hidden lines against a search in `f64`: along each edge, a point is hidden where a face covers it and is nearer.
 
-use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::I2F14;
 use proptest::prelude::*;
 use zrow::{
