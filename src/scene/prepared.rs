@@ -23,7 +23,10 @@ use crate::{
     shade::{ChannelColor, InstructionSet, Shading},
     surface::{Order, Target},
     view::Camera,
-    visible::{BandPainter, DepthRow, DepthUse, HiddenLines, LinePart, Silhouettes, Visibility, face_at},
+    visible::{
+        BandPainter, DepthRow, DepthUse, HiddenLines, LinePart, ReportingPainter, Silhouettes, Visibility, Work,
+        face_at,
+    },
 };
 
 /// A scene ready to be drawn, in the memory of a [`Frame`].
@@ -107,6 +110,10 @@ pub struct Prepared<'f, 'm, L: Look> {
 }
 
 impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
+    /// Whether other methods than the depth row draw the look: one that has one face in each pixel.
+    const IS_DRAWN_BY_METHODS: bool =
+        !L::IS_MULTISAMPLED && !L::Silhouettes::BY_AREA && !L::Shading::HAS_HOLES && !L::Shading::BLENDS;
+
     /// Prepares a frame in its memory.
     // Inlined, so that it is put together where it stays.
     #[inline]
@@ -189,17 +196,63 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         method: &mut impl Visibility<L::Depth>,
         band: &mut Band<'_, L::Color, O>,
     ) -> Result<(), TooSmall> {
-        const {
-            assert!(
-                !L::IS_MULTISAMPLED && !L::Silhouettes::BY_AREA && !L::Shading::HAS_HOLES && !L::Shading::BLENDS,
-                "only the depth row draws such looks"
-            )
-        }
+        const { assert!(Self::IS_DRAWN_BY_METHODS, "only the depth row draws such looks") }
         let window = self.faces.viewport.intersection(&band.window());
         if window.is_empty() {
             return Ok(());
         }
         let mut painter = BandPainter::new(&self.faces, &window, band, self.depths, self.active);
+        method.draw(&self.faces, &window, &mut painter)
+    }
+
+    /// Draws as [`draw_by`](Self::draw_by) does, and reports the work that the method does, step by step: to show it, to count it,
+    /// or to see which pixels a face has.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     scene::{Camera, FaceSet, Memory, Model},
+    ///     visible::{Warnock, Work},
+    /// };
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let mut memory = Memory::<Rgb565, 6, 2, 64, 64>::new();
+    /// let near = FaceSet::new(&[[-512, -512, 512], [0, 512, 512], [512, -512, 512]], &[[0, 1, 2]])?;
+    /// let far = FaceSet::new(&[[-512, -512, 700], [-512, 512, 700], [512, 512, 700]], &[[0, 1, 2]])?;
+    /// let models = [Model::new(near, &[Rgb565::RED])?, Model::new(far, &[Rgb565::BLUE])?];
+    /// let mut scene = memory.prepare(&camera, &models)?;
+    ///
+    /// let (mut method, mut windows, mut pixels) = (Warnock::<2>::new(), 0, [0; 2]);
+    /// let mut words = [0; 64 * 64];
+    /// scene.draw_by_with(&mut method, &mut Band::<Rgb565>::new(area, &mut words)?, |work| match work {
+    ///     Work::Area { .. } => windows += 1,
+    ///     Work::Painted { face, span } => pixels[face] += (span.end - span.start) as usize,
+    ///     _ => {}
+    /// })?;
+    /// assert_eq!(windows, method.windows());
+    /// let red = words.iter().filter(|word| **word == Rgb565::RED.into_storage());
+    /// assert_eq!(pixels[0], red.count());
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The method has too little memory: says how much would do. The band is as it was, and nothing was reported.
+    pub fn draw_by_with<O: Order>(
+        &mut self,
+        method: &mut impl Visibility<L::Depth>,
+        band: &mut Band<'_, L::Color, O>,
+        report: impl FnMut(Work),
+    ) -> Result<(), TooSmall> {
+        const { assert!(Self::IS_DRAWN_BY_METHODS, "only the depth row draws such looks") }
+        let window = self.faces.viewport.intersection(&band.window());
+        if window.is_empty() {
+            return Ok(());
+        }
+        let painter = BandPainter::new(&self.faces, &window, band, self.depths, self.active);
+        let mut painter = ReportingPainter::new(painter, &self.faces, &window, report);
         method.draw(&self.faces, &window, &mut painter)
     }
 

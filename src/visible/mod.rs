@@ -47,6 +47,7 @@ mod hidden_lines;
 mod hidden_surfaces;
 mod painter;
 mod passes;
+mod reporting_painter;
 mod row_in_passes;
 mod row_of_samples;
 mod shaded_span;
@@ -56,12 +57,14 @@ mod silhouette_pixels;
 mod silhouette_row;
 mod touched_columns;
 mod visibility;
+mod work;
 
 pub use hidden_lines::{FaceAgainstSegment, HiddenLines, LinePart, PartKind};
 pub use hidden_surfaces::{
     DepthBuffer, DepthSort, DepthSortCounters, OneDepth, RayCasting, SpanScanLine, TileBins, Warnock,
 };
 pub use visibility::Visibility;
+pub use work::Work;
 
 pub(crate) use active_face::ActiveFace;
 pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse};
@@ -72,5 +75,6 @@ pub(crate) use face_table::{ColoredFace, FaceTable, NONE};
 pub(crate) use hidden_lines::{LineEdge, LineFace, LinePoint, LineTable};
 pub(crate) use hidden_surfaces::face_at;
 pub(crate) use painter::BandPainter;
+pub(crate) use reporting_painter::ReportingPainter;
 pub(crate) use silhouette_edge::ActiveEdge;
 pub(crate) use silhouette_row::{ByArea, EdgeRow, Entry, RowEdges, Silhouettes};

@@ -8,6 +8,7 @@ use crate::{
     view::{DepthWidth, ScreenPrecision},
     visible::{
         DepthRow, active_face::ActiveFace, active_faces::ActiveList, face_table::FaceTable, shaded_span::shaded_row,
+        work::Work,
     },
 };
 
@@ -26,6 +27,9 @@ pub trait Painter<S: ScreenPrecision, H: Shading> {
     /// Takes the columns of a row in which the face in a slot of the [active](Self::active) list is seen, as
     /// [`span`](Self::span) does.
     fn span_of_active(&mut self, _slot: u16, _row: i32, _columns: [i32; 2]) {}
+
+    /// Takes note of the work that a method does. Ignored where nobody wants to know: nothing is computed then.
+    fn report(&mut self, _work: impl FnOnce() -> Work) {}
 }
 
 /// Shades the faces that are seen into a band.

@@ -55,4 +55,5 @@ mod visibility_scenes;
 mod visibility_shading;
 mod visibility_spans;
 mod visibility_warnock;
+mod visibility_work;
 mod wireframes;

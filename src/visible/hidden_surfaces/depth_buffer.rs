@@ -17,6 +17,7 @@
 use crate::{
     geometry::{TooSmall, Window},
     shade::Shading,
+    surface::Span,
     view::{DepthWidth, ScreenPrecision},
     visible::{
         active_face::ActiveFace,
@@ -24,6 +25,7 @@ use crate::{
         hidden_surfaces::placed::{face_from_row, for_each_node, keep_nearer, paint_nodes},
         painter::Painter,
         visibility::Method,
+        work::Work,
     },
 };
 
@@ -73,7 +75,7 @@ impl<D: DepthWidth, const PIXELS: usize> Method<D> for DepthBuffer<D, PIXELS> {
         let mut buffer = Buffer { depths, nodes, window };
         for_each_node(faces, window, |node| {
             if let Some((face, row)) = face_from_row(faces, node, [window.left, window.top]) {
-                buffer.draw_face(faces, face, row);
+                buffer.draw_face(faces, face, row, painter);
             }
         });
         for (row, nodes) in (window.top..).zip(nodes.chunks(width.max(1))) {
@@ -97,10 +99,11 @@ impl<D: DepthWidth> Buffer<'_, D> {
         faces: &impl FaceTable<S, D, H>,
         mut face: ActiveFace<S, H>,
         first_row: i32,
+        painter: &mut impl Painter<S, H>,
     ) {
         for row in first_row..self.window.bottom {
             let span = face.next_span();
-            self.draw_span(faces, &face, row, span);
+            self.draw_span(faces, &face, row, span, painter);
             if !face.leave_row(row) {
                 return;
             }
@@ -114,9 +117,14 @@ impl<D: DepthWidth> Buffer<'_, D> {
         face: &ActiveFace<S, H>,
         row: i32,
         span: [i32; 2],
+        painter: &mut impl Painter<S, H>,
     ) {
         let width = self.window.width() as i32;
         let [start, end] = span.map(|column| column.max(0).min(width));
+        painter.report(|| Work::Tested {
+            face: faces.order(face.node).into(),
+            span: Span::new(row, self.window.left + start, self.window.left + end.max(start)),
+        });
         let first = (row - self.window.top) as usize * width as usize;
         let pixels = first + start as usize..first + end as usize;
         if let (Some(depths), Some(nodes)) = (self.depths.get_mut(pixels.clone()), self.nodes.get_mut(pixels)) {

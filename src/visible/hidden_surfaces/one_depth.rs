@@ -20,12 +20,14 @@ use crate::{
     geometry::{TooSmall, Window},
     scan::{FillRule, Location},
     shade::Shading,
+    surface::Span,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
     visible::{
         face_table::{FaceTable, corners_from_top, covers},
-        hidden_surfaces::placed::{nearest_of_all, paint_row},
+        hidden_surfaces::placed::{nearest_of_all, paint_row_reporting},
         painter::Painter,
         visibility::Method,
+        work::Work,
     },
 };
 
@@ -103,8 +105,12 @@ impl<D: DepthWidth> Method<D> for OneDepth {
     {
         for row in window.top..window.bottom {
             let at = [window.left, row];
-            paint_row(painter, faces, at, 0..window.width() as i32, |column| {
+            paint_row_reporting(painter, faces, at, 0..window.width() as i32, |painter, column| {
                 nearest_of_all(faces, (at, column), |node| {
+                    painter.report(|| Work::Tested {
+                        face: faces.order(node).into(),
+                        span: Span::new(row, window.left + column, window.left + column + 1),
+                    });
                     self.is_covered(faces, node, [window.left + column, row])
                 })
             });

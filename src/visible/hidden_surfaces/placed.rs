@@ -124,8 +124,19 @@ pub(super) fn paint_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     columns: Range<i32>,
     mut node_of: impl FnMut(i32) -> u16,
 ) {
+    paint_row_reporting(painter, faces, at, columns, |_, column| node_of(column));
+}
+
+/// [`paint_row`] by a closure that tells the painter what it does to find the node of a column.
+pub(super) fn paint_row_reporting<S: ScreenPrecision, D: DepthWidth, H: Shading, P: Painter<S, H>>(
+    painter: &mut P,
+    faces: &impl FaceTable<S, D, H>,
+    at: [i32; 2],
+    columns: Range<i32>,
+    mut node_of: impl FnMut(&mut P, i32) -> u16,
+) {
     let [_, row] = at;
-    let mut paint = |node: u16, start: i32, end: i32| {
+    let paint = |painter: &mut P, node: u16, start: i32, end: i32| {
         if node == NONE {
             return;
         }
@@ -135,13 +146,13 @@ pub(super) fn paint_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     };
     let (mut start, mut seen) = (columns.start, NONE);
     for column in columns.clone() {
-        let node = node_of(column);
+        let node = node_of(painter, column);
         if node != seen {
-            paint(seen, start, column);
+            paint(painter, seen, start, column);
             (start, seen) = (column, node);
         }
     }
-    paint(seen, start, columns.end);
+    paint(painter, seen, start, columns.end);
 }
 
 /// [`paint_row`] of nodes in a table, from a column on.

@@ -24,12 +24,14 @@ use heapless::Vec;
 use crate::{
     geometry::{TooSmall, Window},
     shade::Shading,
+    surface::Span,
     view::{DepthWidth, ScreenPrecision},
     visible::{
         face_table::{FaceTable, NONE, corners_from_top, covers},
-        hidden_surfaces::placed::{for_each_node, nearer_of, paint_row},
+        hidden_surfaces::placed::{for_each_node, nearer_of, paint_row_reporting},
         painter::Painter,
         visibility::Method,
+        work::Work,
     },
 };
 
@@ -110,6 +112,16 @@ impl FaceBox {
             && (i32::from(self.top)..=i32::from(self.bottom)).contains(&row)
     }
 
+    /// The pixels of the box.
+    fn pixels(&self) -> Window {
+        Window {
+            left: self.left.into(),
+            top: self.top.into(),
+            right: i32::from(self.right) + 1,
+            bottom: i32::from(self.bottom) + 1,
+        }
+    }
+
     fn is_wide(&self) -> bool {
         i32::from(self.right) - i32::from(self.left) > i32::from(self.bottom) - i32::from(self.top)
     }
@@ -153,6 +165,7 @@ impl<const FACES: usize> RayCasting<FACES> {
         &mut self,
         faces: &impl FaceTable<S, D, H>,
         window: &Window,
+        painter: &mut impl Painter<S, H>,
     ) -> Result<usize, TooSmall> {
         let mut count = 0;
         for_each_node(faces, window, |node| {
@@ -181,6 +194,10 @@ impl<const FACES: usize> RayCasting<FACES> {
                 .map(box_of)
                 .reduce(FaceBox::around)
                 .unwrap_or(FaceBox::EMPTY);
+            painter.report(|| Work::Area {
+                window: all.pixels(),
+                faces: nodes.len(),
+            });
             let half = nodes.len() / 2;
             let by_columns = all.is_wide();
             put_in_halves(nodes, half, all.middles(by_columns), |node| {
@@ -202,8 +219,8 @@ impl<const FACES: usize> RayCasting<FACES> {
         &mut self,
         faces: &impl FaceTable<S, D, H>,
         count: usize,
-        at: [i32; 2],
-        column: i32,
+        (at, column): ([i32; 2], i32),
+        painter: &mut impl Painter<S, H>,
     ) -> u16 {
         let [first_column, row] = at;
         let pixel = [first_column + column, row];
@@ -213,6 +230,10 @@ impl<const FACES: usize> RayCasting<FACES> {
             if range.len() <= FEW {
                 for node in self.nodes.get(range).unwrap_or_default() {
                     self.faces_tested = self.faces_tested.wrapping_add(1);
+                    painter.report(|| Work::Tested {
+                        face: faces.order(*node).into(),
+                        span: Span::new(row, first_column + column, first_column + column + 1),
+                    });
                     if covers(faces, *node, first_column + column, row) {
                         seen = nearer_of(faces, *node, (at, column), seen);
                     }
@@ -319,11 +340,11 @@ impl<D: DepthWidth, const FACES: usize> Method<D> for RayCasting<FACES> {
         H: Shading,
         F: FaceTable<S, D, H>,
     {
-        let count = self.build(faces, window)?;
+        let count = self.build(faces, window, painter)?;
         for row in window.top..window.bottom {
             let at = [window.left, row];
-            paint_row(painter, faces, at, 0..window.width() as i32, |column| {
-                self.cast(faces, count, at, column)
+            paint_row_reporting(painter, faces, at, 0..window.width() as i32, |painter, column| {
+                self.cast(faces, count, (at, column), painter)
             });
         }
         Ok(())

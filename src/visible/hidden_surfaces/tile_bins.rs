@@ -32,6 +32,7 @@ use crate::{
         hidden_surfaces::placed::{face_from_row, for_each_node, keep_nearer, paint_nodes},
         painter::Painter,
         visibility::Method,
+        work::Work,
     },
 };
 
@@ -132,6 +133,10 @@ impl<D: DepthWidth, const TILES: usize, const FACES: usize> Method<D> for TileBi
                 let list = self.nodes.get(start..usize::from(*end)).unwrap_or_default();
                 start = usize::from(*end);
                 let area = grid.tile(column, row);
+                painter.report(|| Work::Area {
+                    window: area,
+                    faces: list.len(),
+                });
                 self.tile.draw(faces, list, &area);
                 self.tile.paint(faces, &area, painter, window.left);
             }

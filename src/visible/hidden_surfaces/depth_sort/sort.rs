@@ -6,7 +6,7 @@ use crate::{
     geometry::Window,
     shade::Shading,
     view::{DepthWidth, ScreenPrecision},
-    visible::{face_table::FaceTable, painter::Painter},
+    visible::{face_table::FaceTable, painter::Painter, work::Work},
 };
 
 use super::{
@@ -75,7 +75,7 @@ where
                 return;
             };
             let is_cycle = self.waiting.was_moved(other);
-            if (is_cycle || relation == Relation::Penetrates) && self.split_first(other) {
+            if (is_cycle || relation == Relation::Penetrates) && self.split_first(other, painter) {
                 // What is left of the first entry is behind those that it was behind before. All of them may have moved up.
                 from = other - (first - self.waiting.first());
                 continue;
@@ -163,7 +163,7 @@ where
 
     /// Splits the first entry by the plane of another one: what is in front of it goes back to the sorted part of the list.
     /// Returns `false` where there is no room for that, or the first entry was split by this plane before.
-    fn split_first(&mut self, other: usize) -> bool {
+    fn split_first(&mut self, other: usize, painter: &mut impl Painter<S, H>) -> bool {
         let (faces, waiting) = (self.faces, &mut self.waiting);
         let (Some(node), Some(other)) = (waiting.node(waiting.first()), waiting.node(other)) else {
             return false;
@@ -171,6 +171,12 @@ where
         let behind = from_back(faces, node);
         let is_split = waiting.split_first(other, |waiting| from_back(faces, waiting) <= behind);
         add(&mut self.counters.splits, is_split.into());
+        if is_split {
+            painter.report(|| Work::Split {
+                face: faces.order(node).into(),
+                by: faces.order(other).into(),
+            });
+        }
         is_split
     }
 

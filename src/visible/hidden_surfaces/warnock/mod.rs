@@ -49,6 +49,7 @@ use crate::{
         painter::Painter,
         passes::{face_in_first_row, surroundings},
         visibility::Method,
+        work::Work,
     },
 };
 use angle_sum::AngleSum;
@@ -167,7 +168,12 @@ impl<D: DepthWidth, const FACES: usize, T: WindowTest> Method<D> for Warnock<FAC
         while let Some((window, listed)) = next {
             self.windows = self.windows.wrapping_add(1);
             let mut list = FaceList::narrowed::<T, S, D, H>(&mut self.nodes, faces, &window, listed);
-            match picture.seen_in(&mut list, &window) {
+            let seen = picture.seen_in(&mut list, &window);
+            painter.report(|| Work::Area {
+                window,
+                faces: list.listed().into(),
+            });
+            match seen {
                 Seen::Nothing => {}
                 Seen::Face(node) => {
                     self.blocks = self.blocks.wrapping_add(1);

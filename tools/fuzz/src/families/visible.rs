@@ -10,7 +10,7 @@ use zrow::{
     scene::{DepthWidth, Edge, Prepared, ScreenPrecision},
     visible::{
         DepthBuffer, DepthSort, FaceAgainstSegment, HiddenLines, LinePart, OneDepth, RayCasting, SpanScanLine,
-        TileBins, Visibility, Warnock,
+        TileBins, Visibility, Warnock, Work,
     },
 };
 use zrow_methods::LookOf;
@@ -32,6 +32,14 @@ pub struct VisibilityCase {
 /// The look of a scene whose faces are cut.
 type Look<S, D> = LookOf<Rgb565, S, D, true>;
 
+/// Whether what is painted or tested lies in the part that is drawn.
+fn lies_within(work: &Work, part: &Window) -> bool {
+    match work {
+        Work::Painted { span, .. } | Work::Tested { span, .. } => span.is_empty() || *span == span.clipped_to(part),
+        _ => true,
+    }
+}
+
 /// Draws a part of the picture by a method: the picture of the depth row; or an error, and nothing was drawn.
 fn check_method<S: ScreenPrecision, D: DepthWidth>(
     prepared: &mut Prepared<'_, '_, Look<S, D>>,
@@ -40,11 +48,16 @@ fn check_method<S: ScreenPrecision, D: DepthWidth>(
     method: &mut impl Visibility<D>,
     is_enough: bool,
 ) -> Verdict {
-    let mut result = Ok(());
+    let (mut result, mut is_within) = (Ok(()), true);
     let drawn = Canvas::new(*part).draw::<LittleEndian>(|band| {
-        result = prepared.draw_by(method, band);
+        result = if part.left % 2 == 0 {
+            prepared.draw_by(method, band)
+        } else {
+            prepared.draw_by_with(method, band, |work| is_within &= lies_within(&work, part))
+        };
         Ok(())
     })?;
+    ensure!(is_within, "work beside what is drawn");
     match result {
         Ok(()) => is_same(part, expected, &drawn).context("by the depth row, the other by a method"),
         Err(error) if is_enough => bail!("{error} with room for all"),

@@ -6,7 +6,7 @@ use zrow::{
     shade::{Texels, Textured},
     visible::{
         DepthBuffer, DepthSort, DepthSortCounters, FaceAgainstSegment, HiddenLines, LinePart, OneDepth, PartKind,
-        RayCasting, SpanScanLine, TileBins, Visibility, Warnock,
+        RayCasting, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
 };
 use zrow_panics_firmware::{any, keep};
@@ -24,6 +24,8 @@ pub const EXERCISES: &[fn()] = &[
 #[inline(never)]
 fn methods<L: Look, O: Order + 'static>() {
     keep(Prepared::<L>::face_at(any(), any()));
+    clone::<Work>();
+    eq::<Work>();
 
     keep(DepthBuffer::<L::Depth, 4_800>::new());
     default::<DepthBuffer<L::Depth, 4_800>>();
@@ -94,4 +96,12 @@ fn visible_parts<L: Look, V: HiddenLines<L::Depth> + 'static>() {
 #[inline(never)]
 fn visibility<L: Look, O: Order + 'static, V: Visibility<L::Depth> + 'static>() {
     keep(Prepared::<L>::draw_by::<O>(any(), any::<&mut V>(), any()));
+    keep(Prepared::<L>::draw_by_with::<O>(
+        any(),
+        any::<&mut V>(),
+        any(),
+        |work| {
+            keep(work);
+        },
+    ));
 }
