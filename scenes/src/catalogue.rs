@@ -27,6 +27,7 @@ use crate::{
     standard::{Icosphere, Sc1, Sc2, Sc3, TorusAndCube, TurningCube},
     strokes::Strokes,
     teapots::{GouraudTeapot, TexturedTeapot},
+    visibility::{ScanLine, VisibilitySiblings},
 };
 
 /// Does the same with scenes of different types.
@@ -82,6 +83,8 @@ catalogue![
     SmoothTorusAndCube,
     Icosphere,
     TurningCube,
+    VisibilitySiblings,
+    ScanLine,
     Sc1,
     Sc2,
     Sc3,

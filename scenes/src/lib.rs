@@ -44,6 +44,7 @@ pub mod standard;
 pub mod strokes;
 pub mod teapot;
 pub mod teapots;
+pub mod visibility;
 
 pub use catalogue::{NAMES, Visitor, visit};
 pub use picture_capacities::PictureCapacities;
