@@ -1,9 +1,122 @@
-//! Hidden surfaces, and hidden lines: which face is seen in each pixel, found by one of several methods that all draw the same
-//! picture, and which parts of edges are hidden.
+//! Visibility: what is seen of a scene, and what is hidden.
+//!
+//! # Hidden surfaces
+//!
+//! Which face is seen in each pixel is found by one of several methods, which all draw the same picture, to the bit.
 //!
 //! The default is the depth row, which [`Prepared::draw`](crate::scene::Prepared::draw) draws with: a depth buffer one row wide
 //! is enough, because every face that crosses a row is drawn while that row is. Faces wait in a table by their first row (the y
 //! table), and an active list carries those that have begun (Myers 1975).
+//!
+//! In the drawings, A is a face that is nearer than B. The demo scene `visibility-siblings` draws what each method really does,
+//! which [`Prepared::draw_by_with`](crate::scene::Prepared::draw_by_with) reports as [`Work`]; `scan-line` shows the depth row
+//! on its way down.
+//!
+//! ## Depth row
+//!
+//! A row of depths is cleared to the farthest one. Each face that crosses the row of pixels has a span in it, between its left
+//! and its right edge, and is gone through pixel by pixel: where its plane is nearer than the depth that is there, the row of
+//! depths takes that of the plane, and the band takes the colour of the face. Then edges and planes step to the next row, by
+//! additions. Rows in which no faces overlap are drawn without depths.
+//!
+//! ```text
+//! active list    A     |----------|          depths     0  0  7  7  7  7  5  5  5  0
+//!                B            |--------|     seen             A  A  A  A  B  B  B
+//! ```
+//!
+//! ## Depth buffer
+//!
+//! Each pixel of the picture has a depth and a face, so that faces may come in any order, each with all of its rows before the
+//! next one. When all of them have been compared, what is seen is shaded, and nothing else.
+//!
+//! ```text
+//!  .  .  .  .  .          .  .  B  B  B          A  A  A  B  B
+//!  .  .  .  .  .   B ->   .  .  B  B  B   A ->   A  A  A  B  B
+//!  .  .  .  .  .          .  .  .  .  .          A  A  A  .  .
+//! ```
+//!
+//! ## One depth
+//!
+//! For each pixel, all faces that may cover it are asked: does it lie in the face, by a test of points in polygons, and is the
+//! face nearer than the nearest one up to then? All that is kept is a depth and a face.
+//!
+//! ```text
+//!  A  A  A  B  B
+//!  A  A [x] B  B        x lies in B, with depth 5: B is seen. It lies in A, with depth 7: A is seen.
+//!  A  A  A  .  .
+//! ```
+//!
+//! ## Intervals of a scan line
+//!
+//! In a row, each face is a span, and the row is cut into intervals at columns where spans begin and end. Depths change evenly
+//! along a row, so that a face which is the nearest at both ends of an interval is the nearest in between; where two faces go
+//! through each other, the interval is cut once more. Each interval is shaded as a whole, what is hidden not at all.
+//!
+//! ```text
+//! farther   B          ---------------        the row seen from above, with the eye below
+//! nearer    A     ----------
+//!                 |         |         |
+//!           seen  AAAAAAAAAABBBBBBBBBB
+//! ```
+//!
+//! ## Painter's algorithm
+//!
+//! Faces are sorted by depth and painted from back to front, over each other. Where the depths of two faces overlap, tests tell
+//! which one has to come first: they are apart on the screen, or one of them lies wholly on one side of the plane of the other
+//! one. Of faces that go through each other, or hide each other in a cycle, one is split by the plane of another.
+//!
+//! ```text
+//!  . . . . . .        . . B B B B        A A A A B B        faces that go through each other:   B   A
+//!  . . . . . .   ->   . . B B B B   ->   A A A A B B        A is split, and painted as              X
+//!  . . . . . .        . . . . . .        A A A A . .        A behind B, B, A in front of B      A   B
+//! ```
+//!
+//! ## Warnock's subdivision
+//!
+//! Look at the whole window: what is seen in it is obvious if it has no face, or one alone, or a face that surrounds it and is
+//! nearer than all others. Otherwise look at its four quarters, and at theirs, down to single pixels. So the work lies along
+//! the edges that are seen.
+//!
+//! ```text
+//! +---------+----+----+
+//! |         |    | /A |        upper left: no face; lower right: A surrounds it, and B behind it is hidden
+//! |         +----+/---+        the others: divided, along the edge of A
+//! |         |   /| A  |
+//! +----+----+----+----+
+//! |    |  / |         |
+//! +----+-/--+    A    |
+//! |   /| A  |         |
+//! +----+----+---------+
+//! ```
+//!
+//! ## Ray casting
+//!
+//! A ray goes through each pixel, and what it meets first is seen. Faces lie in boxes, and boxes in larger ones: a ray asks
+//! only for what is in the boxes that it enters, and opens none that is farther away than what it has met.
+//!
+//! ```text
+//!            +--------------------+
+//!            | +-----+     +----+ |        the outer box is entered, then that of A, where A is met:
+//! eye - - - -|-|- -A |     | B  | |        the box of B lies behind, and is not opened
+//!            | +-----+     +----+ |
+//!            +--------------------+
+//! ```
+//!
+//! ## Tile bins
+//!
+//! The picture is cut into tiles, and each tile gets a list of the faces whose boxes meet it. Then tiles are drawn one after
+//! the other, or by several cores, with a depth buffer of one tile. Blocks of pixels on the outer side of an edge are rejected
+//! as a whole, and those on the inner sides of all edges accepted.
+//!
+//! ```text
+//! +------+------+------+
+//! | A    | A B  |   B  |        lists:  A | A B | B
+//! +------+------+------+                A | A B | B
+//! | A    | A B  |   B  |
+//! +------+------+------+
+//! ```
+//!
+//! ## Which one to take
 //!
 //! [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes another [`Visibility`]:
 //!
@@ -18,8 +131,10 @@
 //!   panels, and for several cores.
 //! - [`Warnock`]: quarters of the window until one face is seen in them (Warnock 1969). Where faces are large.
 //!
-//! Hidden lines: which parts of the edges of models are hidden. [`Prepared::visible_parts`](crate::scene::Prepared::visible_parts)
-//! takes one of the methods ([`HiddenLines`]) and hands over each edge in [parts](LinePart):
+//! # Hidden lines
+//!
+//! Which parts of the edges of models are hidden: [`Prepared::visible_parts`](crate::scene::Prepared::visible_parts) takes one of
+//! the methods ([`HiddenLines`]) and hands over each edge in [parts](LinePart):
 //!
 //! - [`FaceAgainstSegment`]: each edge compared with each face (Galimberti and Montanari 1969). For solids of any shape, also
 //!   where they penetrate each other.

@@ -6,8 +6,8 @@
 //!                                      +--------- work -------> the program
 //! ```
 //!
-//! A method tells its painter what it does. A painter that draws into a band ignores that, and because what is told is computed by a
-//! closure, nothing is left of it in the machine code.
+//! A method tells its painter what it does. A painter that draws into a band ignores that, and because what is told is computed by
+//! a closure, nothing is left of it in the machine code.
 
 use core::marker::PhantomData;
 

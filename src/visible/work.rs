@@ -2,8 +2,8 @@
 
 use crate::{geometry::Window, surface::Span};
 
-/// One step of the work that a method of visibility does, which [`Prepared::draw_by_with`](crate::scene::Prepared::draw_by_with)
-/// reports.
+/// One step of the work that a method of visibility does, which
+/// [`Prepared::draw_by_with`](crate::scene::Prepared::draw_by_with) reports.
 ///
 /// Columns and rows are those of the picture. A `face` is an index in the order of models and faces, as
 /// [`Prepared::face_at`](crate::scene::Prepared::face_at) has it.
