@@ -84,10 +84,28 @@ impl<'t, S: ScreenPrecision, D: DepthWidth> Extents<'t, S, D> {
         meet(self.rows(), [window.top, window.bottom]) && meet(self.columns(), [window.left, window.right])
     }
 
+    /// The pixels that the face can cover.
+    #[inline]
+    pub(super) fn pixels(&self) -> PixelExtents {
+        PixelExtents {
+            rows: self.rows(),
+            columns: self.columns(),
+        }
+    }
+}
+
+/// The rows and columns that a face can cover, to be compared with those of many others.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct PixelExtents {
+    rows: [i32; 2],
+    columns: [i32; 2],
+}
+
+impl PixelExtents {
     /// Test A: whether the face can cover a row that another face covers, and a column.
     #[inline]
-    pub(super) fn pixels_meet(&self, other: &Self) -> bool {
-        meet(self.rows(), other.rows()) && meet(self.columns(), other.columns())
+    pub(super) fn meet<S: ScreenPrecision, D: DepthWidth>(&self, other: &Extents<'_, S, D>) -> bool {
+        meet(self.rows, other.rows()) && meet(self.columns, other.columns())
     }
 }
 

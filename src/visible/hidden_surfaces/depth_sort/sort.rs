@@ -94,15 +94,22 @@ where
         let faces = self.faces;
         let face = Extents::of(faces, self.waiting.node(entry)?)?;
         let margin = depth_margin::<D>(faces.viewport());
+        // Found once, for all that are compared with the face.
+        let (nearest, pixels) = (face.nearest(), face.pixels());
         for index in from..self.waiting.end() {
             let other = Extents::of(faces, self.waiting.node(index)?)?;
-            let distance = other.farthest() - face.nearest();
+            let distance = other.farthest() - nearest;
             if distance > margin && !self.waiting.was_moved(index) {
                 // All others are as near, or nearer.
                 break;
             }
             let is_behind = distance > margin || (distance == margin && comes_first(faces, &other, &face));
             if !is_behind && other.node != face.node {
+                add(&mut self.counters.pairs, 1);
+                if !pixels.meet(&other) {
+                    add(&mut self.counters.extents_apart, 1);
+                    continue;
+                }
                 let relation = self.relation([entry, index], &face, &other);
                 if relation != Relation::Behind {
                     return Some((index, relation));
@@ -112,7 +119,9 @@ where
         None
     }
 
-    /// Whether a face is in front of another one in pixels that both cover, by tests A to D and by stored depths.
+    /// Whether a face is in front of another one in pixels that both cover, by tests B to D and by stored depths.
+    // Not inlined, so that the loop around it, which test A ends for most pairs, stays small.
+    #[inline(never)]
     fn relation(
         &mut self,
         [entry, index]: [usize; 2],
@@ -120,11 +129,6 @@ where
         other: &Extents<'_, S, D>,
     ) -> Relation {
         let (faces, counters) = (self.faces, &mut *self.counters);
-        add(&mut counters.pairs, 1);
-        if !face.pixels_meet(other) {
-            add(&mut counters.extents_apart, 1);
-            return Relation::Behind;
-        }
         let waiting = &self.waiting;
         let entries = [entry, index];
         if waiting.is_known_behind(entries, [face.node, other.node]) {
