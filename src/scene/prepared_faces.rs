@@ -324,6 +324,7 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
 impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFaces<'_, 'm, L> {
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;
     const IS_ORTHOGRAPHIC: bool = L::IS_ORTHOGRAPHIC;
+    const DRAWS_BACKS: bool = L::DRAWS_BACKS;
     const ANTIALIASES: bool = L::Silhouettes::BY_AREA;
     type Count<'c>
         = <L::Counting as Counting>::Count<'c>

@@ -28,6 +28,8 @@ pub trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     const DRAWS_IN_PASSES: bool;
     /// Whether what varies evenly in space does so on the screen: whether rays are parallel.
     const IS_ORTHOGRAPHIC: bool;
+    /// Whether faces are seen from both sides: then those that face away are in the table, too, the other way round.
+    const DRAWS_BACKS: bool;
     /// Whether silhouettes are drawn by area.
     const ANTIALIASES: bool;
     /// What counts.

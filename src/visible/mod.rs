@@ -123,9 +123,13 @@
 //! - [`DepthBuffer`]: a depth and a face for each pixel (Catmull 1974). Where memory is plenty.
 //! - [`DepthSort`]: faces sorted by depth and painted from back to front, with splits (Newell, Newell and Sancha 1972). Where
 //!   few faces overlap.
+//! - [`GridRayCasting`]: a ray for each pixel that marches through the cells of a grid (Amanatides and Woo 1987). For many faces
+//!   of one size.
 //! - [`OneDepth`]: one depth, pixel by pixel (Rogers 1985). Where no memory is left.
 //! - [`RayCasting`]: a ray for each pixel through a tree of boxes (Appel 1968; Rubin and Whitted 1980). For huge scenes in few
 //!   pixels.
+//! - [`SolidCombination`]: union, intersection and difference of solids, along a ray for each pixel (Roth 1982). The one method
+//!   with a picture of its own, which only closed solids have.
 //! - [`SpanScanLine`]: depths compared at the ends of intervals (Watkins 1970). For few large faces that take long to shade.
 //! - [`TileBins`]: lists of faces for tiles of 16 x 16 pixels, and a depth buffer of one tile (Fuchs and others 1989). For wide
 //!   panels, and for several cores.
@@ -176,7 +180,8 @@ mod work;
 
 pub use hidden_lines::{FaceAgainstSegment, HiddenLines, LinePart, PartKind};
 pub use hidden_surfaces::{
-    DepthBuffer, DepthSort, DepthSortCounters, OneDepth, RayCasting, SpanScanLine, TileBins, Warnock,
+    DepthBuffer, DepthSort, DepthSortCounters, GridRayCasting, OneDepth, RayCasting, SolidCombination, SolidNode,
+    SpanScanLine, TileBins, Warnock,
 };
 pub use visibility::Visibility;
 pub use work::Work;

@@ -51,6 +51,7 @@ mod translucent;
 mod unclipped_faces;
 mod visibility;
 mod visibility_depth_sort;
+mod visibility_rays;
 mod visibility_scenes;
 mod visibility_shading;
 mod visibility_spans;

@@ -9,7 +9,9 @@ use zrow::{
     geometry::{Sub4, Sub8, TooSmall},
     scan::{FillRule, Location, Polygons},
     scene::{Camera, DepthWidth, Look, Memory, Model, Prepared},
-    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock},
+    visible::{
+        DepthBuffer, DepthSort, GridRayCasting, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock,
+    },
 };
 
 use crate::common::meshes::{self, Mesh};
@@ -102,6 +104,22 @@ fn check_warnock<L: Look<Color = Rgb888, Shading = Rgb888>>(prepared: &mut Prepa
     );
 }
 
+/// Rays through grids with room for many cells, for some and for none.
+fn check_grids<L: Look<Color = Rgb888, Shading = Rgb888>>(
+    prepared: &mut Prepared<'_, '_, L>,
+    expected: &[u32],
+    shown: usize,
+) {
+    let mut grid = GridRayCasting::<2_000, 4_096, 40_000>::new();
+    check(prepared, expected, "grid", &mut grid);
+    assert!(shown == 0 || grid.faces_tested().min(grid.cells_visited()) > 0);
+    let mut coarse = GridRayCasting::<2_000, 64, 2_500>::new();
+    check(prepared, expected, "64 cells", &mut coarse);
+    let mut without_cells = GridRayCasting::<2_000, 0, 0>::new();
+    check_in_bands(prepared, expected, "no cell", &mut without_cells, ([23, 11], true));
+    assert_eq!(without_cells.mailbox_hits(), 0);
+}
+
 /// Draws models by all methods; returns how many pixels show a face.
 fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> usize {
     let mut memory = Box::new(MemoryOf::<S, D>::new());
@@ -123,6 +141,7 @@ fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: 
     let mut rays = RayCasting::<2_000>::new();
     check(&mut prepared, &expected, "ray casting", &mut rays);
     assert!(shown == 0 || rays.faces_tested() > 0);
+    check_grids(&mut prepared, &expected, shown);
     for (point, word) in camera.viewport().to_rectangle().points().zip(&expected).step_by(7) {
         let face = prepared.face_at(point);
         assert_eq!(*word, face.map_or(BEHIND, color_of).into_storage(), "{point:?}");

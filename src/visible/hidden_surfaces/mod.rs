@@ -13,7 +13,7 @@ mod warnock;
 pub use depth_buffer::DepthBuffer;
 pub use depth_sort::{DepthSort, DepthSortCounters};
 pub use one_depth::OneDepth;
-pub use ray_casting::RayCasting;
+pub use ray_casting::{GridRayCasting, RayCasting, SolidCombination, SolidNode};
 pub use span_scan_line::SpanScanLine;
 pub use tile_bins::TileBins;
 pub use warnock::Warnock;

@@ -4,13 +4,13 @@ use anyhow::{Context, bail, ensure};
 use arbitrary::Arbitrary;
 use embedded_graphics::{pixelcolor::Rgb565, primitives::PointsIter};
 use zrow::{
-    band::LittleEndian,
+    band::{Band, LittleEndian},
     geometry::{Sub4, Sub8, Window},
     scan::Polygons,
-    scene::{DepthWidth, Edge, Prepared, ScreenPrecision},
+    scene::{Camera, DepthWidth, DoubleSided, Edge, Memory, Model, Prepared, ScreenPrecision},
     visible::{
-        DepthBuffer, DepthSort, FaceAgainstSegment, HiddenLines, LinePart, OneDepth, RayCasting, SpanScanLine,
-        TileBins, Visibility, Warnock, Work,
+        DepthBuffer, DepthSort, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart, OneDepth, RayCasting,
+        SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
 };
 use zrow_methods::LookOf;
@@ -103,6 +103,38 @@ fn check_lines<S: ScreenPrecision, D: DepthWidth>(
     Ok(())
 }
 
+/// Draws faces that are taken for two solids, one without the other: by room for few crossings as by room for many. A solid without
+/// itself is nothing.
+fn check_solids<S: ScreenPrecision, D: DepthWidth>(
+    camera: &Camera,
+    models: &[Model<'_, Rgb565>],
+    part: &Window,
+) -> Verdict {
+    let mut frame = Memory::<DoubleSided<Look<S, D>>, 512, 24, 24, 24, 24>::new();
+    let Ok(mut prepared) = frame.prepare(camera, models) else {
+        return Ok(());
+    };
+    let mut draw =
+        |method: &mut dyn FnMut(&mut Prepared<'_, '_, _>, &mut Band<'_, Rgb565, LittleEndian>) -> Verdict| {
+            Canvas::new(*part).draw::<LittleEndian>(|band| method(&mut prepared, band))
+        };
+    let [first, second] = [SolidNode::Primitive(0..5), SolidNode::Primitive(5..u16::MAX)];
+    let difference = [first.clone(), second, SolidNode::Difference];
+    let nothing = [first.clone(), first, SolidNode::Difference];
+    let drawn =
+        draw(&mut |prepared, band| Ok(prepared.draw_by(&mut SolidCombination::<300, 30>::new(&difference), band)?))?;
+    let selected =
+        draw(&mut |prepared, band| Ok(prepared.draw_by(&mut SolidCombination::<300, 1>::new(&difference), band)?))?;
+    is_same(part, &drawn, &selected).context("with room for 30 crossings, the other for one")?;
+    let drawn =
+        draw(&mut |prepared, band| Ok(prepared.draw_by(&mut SolidCombination::<300, 0>::new(&nothing), band)?))?;
+    ensure!(
+        drawn.iter().all(|color| *color == background()),
+        "a solid without itself"
+    );
+    Ok(())
+}
+
 impl VisibilityCase {
     fn check_kind<S: ScreenPrecision, D: DepthWidth>(&self) -> Verdict {
         let Some(camera) = self.scene.camera() else {
@@ -143,6 +175,9 @@ impl VisibilityCase {
             DepthSort::<400, 50>::new(), true;
             DepthSort::<300, 1>::new(), true;
             DepthSort::<3, 2>::new(), false;
+            GridRayCasting::<300, 512, 4_000>::new(), true;
+            GridRayCasting::<300, 60, 200>::new(), true;
+            GridRayCasting::<4, 8, 9>::new(), false;
             OneDepth::new(Polygons::winding_number), true;
             RayCasting::<300>::new(), true;
             RayCasting::<4>::new(), false;
@@ -155,7 +190,8 @@ impl VisibilityCase {
         }
         let edges: Vec<_> = meshes.iter().map(Mesh::edges).collect();
         let edges: Vec<_> = edges.iter().map(Vec::as_slice).collect();
-        check_lines::<S, D>(&prepared, &edges)
+        check_lines::<S, D>(&prepared, &edges)?;
+        check_solids::<S, D>(&camera, &models, &part)
     }
 }
 

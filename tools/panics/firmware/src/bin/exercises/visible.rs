@@ -2,11 +2,11 @@ use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::{BigEndian, LittleEndian, Order},
     scan::Polygons,
-    scene::{Deep, Fine, Look, Prepared},
+    scene::{Deep, DoubleSided, Fine, Look, Prepared},
     shade::{Texels, Textured},
     visible::{
-        DepthBuffer, DepthSort, DepthSortCounters, FaceAgainstSegment, HiddenLines, LinePart, OneDepth, PartKind,
-        RayCasting, SpanScanLine, TileBins, Visibility, Warnock, Work,
+        DepthBuffer, DepthSort, DepthSortCounters, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart, OneDepth,
+        PartKind, RayCasting, SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
 };
 use zrow_panics_firmware::{any, keep};
@@ -18,6 +18,8 @@ pub const EXERCISES: &[fn()] = &[
     methods::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>, LittleEndian>,
     hidden_lines::<Rgb565>,
     hidden_lines::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>>,
+    solids::<DoubleSided<Rgb565>, BigEndian>,
+    solids::<DoubleSided<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>>, LittleEndian>,
 ];
 
 /// Each method in a look.
@@ -38,6 +40,13 @@ fn methods<L: Look, O: Order + 'static>() {
     default::<DepthSortCounters>();
     eq::<DepthSortCounters>();
     visibility::<L, O, DepthSort<500, 40>>();
+
+    keep(GridRayCasting::<500, 1_000, 4_000>::new());
+    keep(GridRayCasting::<500, 1_000, 4_000>::faces_tested(any()));
+    keep(GridRayCasting::<500, 1_000, 4_000>::cells_visited(any()));
+    keep(GridRayCasting::<500, 1_000, 4_000>::mailbox_hits(any()));
+    default::<GridRayCasting<500, 1_000, 4_000>>();
+    visibility::<L, O, GridRayCasting<500, 1_000, 4_000>>();
 
     keep(OneDepth::new(Polygons::winding_number));
     keep(OneDepth::points_tested(any()));
@@ -91,6 +100,17 @@ fn visible_parts<L: Look, V: HiddenLines<L::Depth> + 'static>() {
     keep(Prepared::<L>::visible_parts(any(), any::<&mut V>(), any(), |part| {
         keep(part)
     }));
+}
+
+/// Combined solids in a look with backs.
+#[inline(never)]
+fn solids<L: Look, O: Order + 'static>() {
+    clone::<SolidNode>();
+    eq::<SolidNode>();
+    keep(SolidCombination::<500, 8>::new(any()));
+    keep(SolidCombination::<500, 8>::passes(any()));
+    keep(SolidCombination::<500, 8>::faces_tested(any()));
+    visibility::<L, O, SolidCombination<'static, 500, 8>>();
 }
 
 #[inline(never)]

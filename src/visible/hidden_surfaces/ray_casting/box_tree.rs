@@ -1,4 +1,4 @@
-//! Ray casting: for each pixel a ray through a tree of boxes, down to the faces that it may meet.
+//! A tree of boxes on the screen, which hold faces: a ray looks only into those that contain its pixel.
 //!
 //! ```text
 //!              all faces                    Faces are halved by the middle of their boxes, along the longer side, again and
@@ -11,11 +11,11 @@
 //! The tree has no pointers: it is the order of the faces in a table, halved at its middle, and each inner node has its box at
 //! the index of that middle. On the screen all rays are parallel, so that a box is a rectangle of pixels and a nearest depth.
 //!
-//! Guarantees: the picture of the depth row. Cost: building the tree for each window that is drawn, n log n; a walk down the tree
-//! for each pixel, with a test of the sides of each face that it comes to and the plane of each that covers the pixel.
+//! Guarantees: a ray comes to each face that covers its pixel, but those in boxes that are farther away than what it says. Cost:
+//! building the tree takes n log n.
 //!
-//! Source: Appel 1968, "Some techniques for shading machine renderings of solids"; a tree of bounding volumes: Rubin and Whitted
-//! 1980, "A 3-dimensional representation for fast rendering of complex scenes".
+//! Source: a tree of bounding volumes: Rubin and Whitted 1980, "A 3-dimensional representation for fast rendering of complex
+//! scenes".
 
 use core::ops::Range;
 
@@ -24,13 +24,11 @@ use heapless::Vec;
 use crate::{
     geometry::{TooSmall, Window},
     shade::Shading,
-    surface::Span,
     view::{DepthWidth, ScreenPrecision},
     visible::{
-        face_table::{FaceTable, NONE, corners_from_top, covers},
-        hidden_surfaces::placed::{for_each_node, nearer_of, paint_row_reporting},
+        face_table::{FaceTable, corners_from_top},
+        hidden_surfaces::{placed::for_each_node, ray_casting::depth_margin},
         painter::Painter,
-        visibility::Method,
         work::Work,
     },
 };
@@ -41,21 +39,13 @@ const FEW: usize = 3;
 /// Halves of halves that a ray has still to look into, at most: of 65,535 faces.
 const LEVELS: usize = 17;
 
-/// Ray casting through a tree of boxes ([`Visibility`](crate::visible::Visibility)), for at most so many faces that begin above the lower side of the window.
-///
-/// Take it for huge scenes that are seen through few pixels. For one pixel, as where a finger touches the panel,
-/// [`Prepared::face_at`](crate::scene::Prepared::face_at) needs no tree.
-///
-/// RAM: 14 bytes a face, and 4.
-///
-/// Source: Appel 1968; Rubin and Whitted 1980.
+/// A tree of boxes for at most so many faces.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct RayCasting<const FACES: usize> {
+pub(super) struct BoxTree<const FACES: usize> {
     nodes: [u16; FACES],
     /// For each inner node its box, at the index of the middle of its faces.
     boxes: [FaceBox; FACES],
-    faces_tested: u32,
 }
 
 /// The pixels that faces may cover, and the nearest depth in units that they may have.
@@ -145,23 +135,18 @@ impl FaceBox {
     }
 }
 
-impl<const FACES: usize> RayCasting<FACES> {
+impl<const FACES: usize> BoxTree<FACES> {
     /// A tree without faces.
-    pub const fn new() -> Self {
+    pub(super) const fn new() -> Self {
         Self {
             nodes: [0; FACES],
             boxes: [FaceBox::EMPTY; FACES],
-            faces_tested: 0,
         }
     }
 
-    /// How often a ray was tested to meet a face since the method was made, modulo 2^32.
-    pub const fn faces_tested(&self) -> u32 {
-        self.faces_tested
-    }
-
-    /// Builds the tree of the faces that begin above the lower side of a window. Returns how many these are.
-    fn build<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    /// Builds the tree of the faces that begin above the lower side of a window, and reports its boxes. Returns how many faces
+    /// these are.
+    pub(super) fn build<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         &mut self,
         faces: &impl FaceTable<S, D, H>,
         window: &Window,
@@ -175,14 +160,7 @@ impl<const FACES: usize> RayCasting<FACES> {
             count += 1;
         });
         let nodes = self.nodes.get_mut(..count).ok_or(TooSmall::Faces(count))?;
-        let Window {
-            left,
-            top,
-            right,
-            bottom,
-        } = *faces.viewport();
-        // Gradients are rounded once: a depth is wrong by less than 1/256 unit for each column and row.
-        let margin = 2 + ((right - left + bottom - top) >> 8);
+        let margin = depth_margin(faces.viewport());
         let mut open = Stack::new(0..count);
         while let Some(range) = open.pop() {
             let (Some(nodes), true) = (nodes.get_mut(range.clone()), range.len() > FEW) else {
@@ -213,36 +191,27 @@ impl<const FACES: usize> RayCasting<FACES> {
         Ok(count)
     }
 
-    /// The face that the ray through a pixel of a row meets first, of so many faces, or [`NONE`]. `at` are the first column of
-    /// the row and the row; the column counts from there.
-    fn cast<S: ScreenPrecision, D: DepthWidth, H: Shading>(
-        &mut self,
-        faces: &impl FaceTable<S, D, H>,
-        count: usize,
-        (at, column): ([i32; 2], i32),
-        painter: &mut impl Painter<S, H>,
-    ) -> u16 {
-        let [first_column, row] = at;
-        let pixel = [first_column + column, row];
-        let mut seen = (D::FARTHEST, NONE);
+    /// Visits faces of the tree that the ray through a pixel may meet, of so many: all that cover the pixel, but those of boxes
+    /// that are farther away than a depth in units, which may grow from face to face. Each visit is handed what the last one
+    /// has found out, and the last of all is returned.
+    pub(super) fn fold<T>(
+        &self,
+        (count, pixel): (usize, [i32; 2]),
+        first: T,
+        depth: impl Fn(&T) -> i32,
+        mut visit: impl FnMut(T, u16) -> T,
+    ) -> T {
+        let mut found = first;
         let mut open = Stack::new(0..count);
         while let Some(range) = open.pop() {
             if range.len() <= FEW {
                 for node in self.nodes.get(range).unwrap_or_default() {
-                    self.faces_tested = self.faces_tested.wrapping_add(1);
-                    painter.report(|| Work::Tested {
-                        face: faces.order(*node).into(),
-                        span: Span::new(row, first_column + column, first_column + column + 1),
-                    });
-                    if covers(faces, *node, first_column + column, row) {
-                        seen = nearer_of(faces, *node, (at, column), seen);
-                    }
+                    found = visit(found, *node);
                 }
                 continue;
             }
             let middle = range.start + range.len() / 2;
-            let (depth, _) = seen;
-            let is_met = |face_box: &&FaceBox| face_box.contains(pixel) && face_box.nearest >= depth.units();
+            let is_met = |face_box: &&FaceBox| face_box.contains(pixel) && face_box.nearest >= depth(&found);
             if self.boxes.get(middle).filter(is_met).is_none() {
                 continue;
             }
@@ -263,8 +232,7 @@ impl<const FACES: usize> RayCasting<FACES> {
             open.push(second);
             open.push(first);
         }
-        let (_, node) = seen;
-        node
+        found
     }
 }
 
@@ -324,29 +292,5 @@ impl Stack {
 
     fn pop(&mut self) -> Option<Range<usize>> {
         self.0.pop()
-    }
-}
-
-impl<const FACES: usize> Default for RayCasting<FACES> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<D: DepthWidth, const FACES: usize> Method<D> for RayCasting<FACES> {
-    fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
-    where
-        S: ScreenPrecision,
-        H: Shading,
-        F: FaceTable<S, D, H>,
-    {
-        let count = self.build(faces, window, painter)?;
-        for row in window.top..window.bottom {
-            let at = [window.left, row];
-            paint_row_reporting(painter, faces, at, 0..window.width() as i32, |painter, column| {
-                self.cast(faces, count, (at, column), painter)
-            });
-        }
-        Ok(())
     }
 }
