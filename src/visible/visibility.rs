@@ -11,7 +11,8 @@ use crate::{
 /// [`Deep`](crate::scene::Deep).
 ///
 /// All methods draw the same picture, to the bit: in each pixel that face is seen which has the greatest stored depth there, of
-/// equally near ones the first in the order of models. They differ in memory, and in time.
+/// equally near ones the first in the order of models. They differ in memory, and in time. Only
+/// [`SolidCombination`](crate::visible::SolidCombination) has a picture of its own.
 ///
 /// [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes one.
 pub trait Visibility<D: DepthWidth>: Method<D> {}

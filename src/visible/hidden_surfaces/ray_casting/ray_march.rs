@@ -144,3 +144,66 @@ impl AxisRay {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use super::*;
+    use crate::visible::hidden_surfaces::ray_casting::eye_space::EyeBox;
+
+    /// xorshift64 (Marsaglia 2003), from 0 to below a bound.
+    fn numbers() -> impl FnMut(i64) -> i64 {
+        let mut state = 0x0123_4567_89ab_cdef_u64;
+        move |bound| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state % bound as u64) as i64
+        }
+    }
+
+    /// Whether the ray comes to a cell that a box of a point meets.
+    fn comes_to(grid: &UniformGrid, ray: &Ray, point: &EyeBox) -> bool {
+        let mut cells = Vec::new();
+        grid.for_each_cell(point, |cell| cells.push(cell));
+        let Some(mut march) = RayMarch::enter(grid, ray) else {
+            return false;
+        };
+        loop {
+            if cells.contains(&grid.index(march.cell())) {
+                return true;
+            }
+            if !march.step(NEVER) {
+                return false;
+            }
+        }
+    }
+
+    /// Cells that rays cross in few units of distance, so that rounding counts: each point of a ray, padded by what the ray may get
+    /// ahead, meets one of its cells. Without the padding some points do not.
+    #[test]
+    fn a_ray_comes_to_the_cells_of_all_its_points() {
+        let mut next = numbers();
+        let mut missed_without = 0;
+        for _ in 0..20_000 {
+            let slope = [next(4_001) as i32 - 2_000, next(41) as i32 - 20, 1];
+            let ray = Ray { start: [0; 3], slope };
+            let distance = 10 + next(2_000);
+            // A point at a distance with a fraction of 1/16, in a box of integers around it.
+            let sixteenths = 16 * distance + next(16);
+            let coordinates = slope.map(|slope| i64::from(slope) * sixteenths);
+            let point = EyeBox {
+                least: coordinates.map(|coordinate| coordinate >> 4),
+                greatest: coordinates.map(|coordinate| (coordinate + 15) >> 4),
+            };
+            let padded = point.padded([2_000, 20, 0].map(|reach: i64| reach * i64::from(MOST_EARLY)));
+            let more = [next(200_000), next(3_000), next(100)];
+            let all = padded.around(point.padded(more));
+            let grid = UniformGrid::new(&all, [1 << 20, 1 << 20, 1 << 10], 1 << next(16));
+            assert!(comes_to(&grid, &ray, &padded), "{grid:?} {ray:?} {distance}");
+            missed_without += usize::from(!comes_to(&grid, &ray, &point));
+        }
+        assert!(missed_without > 10, "{missed_without}");
+    }
+}

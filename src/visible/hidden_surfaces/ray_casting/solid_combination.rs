@@ -52,11 +52,10 @@ use crate::{
 ///
 /// A solid is a range of faces that together have no hole: a closed mesh, or several of them that do not go through each other.
 /// Faces in no solid are not drawn. The look has to be [`DoubleSided`](crate::scene::DoubleSided), because a hole that is
-/// drilled into a solid shows the faces of the drill from behind; with any other look it does not compile. The picture is not that of the depth row, unlike that of all other methods, but
-/// [`Prepared::draw_by`](crate::scene::Prepared::draw_by) draws it just so.
+/// drilled into a solid shows the faces of the drill from behind; with any other look it does not compile. Unlike that of all other
+/// methods the picture is not that of the depth row.
 ///
-/// A ray with more crossings than there is room for takes several passes, which are
-/// [counted](Self::passes); the picture is the same. Where the near plane cuts a solid open, the wall behind is seen from inside.
+/// A ray with more crossings than there is room for takes several passes, which are [counted](Self::passes); the picture is the same. Where the near plane cuts a solid open, the wall behind is seen from inside.
 ///
 /// RAM: 14 bytes a face, 8 a crossing, and 16.
 ///
