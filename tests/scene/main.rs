@@ -22,6 +22,7 @@ mod estimates;
 mod flight;
 mod fog;
 mod hidden_lines;
+mod hidden_lines_appel;
 mod holes;
 mod lighting;
 mod looks;

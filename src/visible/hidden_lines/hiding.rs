@@ -29,7 +29,7 @@ use crate::{
 /// How many units of depth an edge has to be behind a face to be hidden, besides what the depth of the face changes over one
 /// unit of x and one of y. Depths of an edge and of a face are each rounded by less than a unit; those of 24 bits have more
 /// digits than coordinates in eye space have, which are rounded to 1/4096.
-const fn tolerance<D: DepthWidth>() -> i64 {
+pub(super) const fn tolerance<D: DepthWidth>() -> i64 {
     if D::FRACTION_BITS == 16 { 2 } else { 8 }
 }
 

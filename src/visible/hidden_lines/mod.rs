@@ -4,6 +4,7 @@
 //! to planes and convex solids to convex ones, so that what is true of faces and edges in space is true of them here, and all
 //! numbers are integers.
 
+mod appel;
 mod face_against_segment;
 mod face_box;
 mod hiding;
@@ -13,6 +14,7 @@ mod line_table;
 mod method;
 mod parts;
 
+pub use appel::Appel;
 pub use face_against_segment::FaceAgainstSegment;
 pub use line_part::{LinePart, PartKind};
 pub use method::HiddenLines;

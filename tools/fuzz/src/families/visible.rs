@@ -9,7 +9,7 @@ use zrow::{
     scan::Polygons,
     scene::{Camera, DepthWidth, DoubleSided, Edge, Memory, Model, Prepared, ScreenPrecision},
     visible::{
-        DepthBuffer, DepthSort, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart, OneDepth, RayCasting,
+        Appel, DepthBuffer, DepthSort, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart, OneDepth, RayCasting,
         SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
 };
@@ -100,6 +100,12 @@ fn check_lines<S: ScreenPrecision, D: DepthWidth>(
     ensure!(without_stack == expected, "other parts without a stack");
     let with_few = parts_by::<S, D>(prepared, edges, &mut FaceAgainstSegment::<4, 2, true>::new())?;
     ensure!(with_few.is_none() || with_few == expected, "other parts with few faces");
+    let by_rays = parts_by::<S, D>(prepared, edges, &mut Appel::<0, 0, 0>::new())?;
+    ensure!(by_rays.is_some(), "no room for quantitative invisibility");
+    let carried = parts_by::<S, D>(prepared, edges, &mut Appel::<300, 16, 600>::new())?;
+    ensure!(carried == by_rays, "another number than by rays");
+    let with_few = parts_by::<S, D>(prepared, edges, &mut Appel::<5, 1, 9>::new())?;
+    ensure!(with_few == by_rays, "another number with little memory");
     Ok(())
 }
 

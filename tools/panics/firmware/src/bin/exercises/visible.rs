@@ -5,8 +5,8 @@ use zrow::{
     scene::{Deep, DoubleSided, Fine, Look, Prepared},
     shade::{Texels, Textured},
     visible::{
-        DepthBuffer, DepthSort, DepthSortCounters, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart, OneDepth,
-        PartKind, RayCasting, SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
+        Appel, DepthBuffer, DepthSort, DepthSortCounters, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart,
+        OneDepth, PartKind, RayCasting, SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
 };
 use zrow_panics_firmware::{any, keep};
@@ -93,6 +93,14 @@ fn hidden_lines<L: Look>() {
     keep(FaceAgainstSegment::<500, 16, true>::segments_repeated(any()));
     default::<FaceAgainstSegment<500, 16, true>>();
     visible_parts::<L, FaceAgainstSegment<500, 16, true>>();
+
+    keep(Appel::<200, 8, 300>::new());
+    keep(Appel::<200, 8, 300>::rays(any()));
+    keep(Appel::<200, 8, 300>::edges(any()));
+    keep(Appel::<200, 8, 300>::contours(any()));
+    default::<Appel<200, 8, 300>>();
+    visible_parts::<L, Appel<200, 8, 300>>();
+    visible_parts::<L, Appel<0, 0, 0>>();
 }
 
 #[inline(never)]
