@@ -40,6 +40,10 @@ pub enum TooSmall {
     Tiles(usize),
     /// Faces in the lists of all tiles of a window.
     TileFaces(usize),
+    /// Solids of a scene, one for each model ([`Roberts`](crate::visible::Roberts)).
+    Solids(usize),
+    /// Planes of the solids of a scene ([`Roberts`](crate::visible::Roberts)).
+    Planes(usize),
     /// Words of the pool that the items of a picture share: a slice.
     PictureWords(usize),
     /// Words of a band, or of each sample of its pixels: a slice.
@@ -76,6 +80,8 @@ impl TooSmall {
             | Self::Pixels(needed)
             | Self::Tiles(needed)
             | Self::TileFaces(needed)
+            | Self::Solids(needed)
+            | Self::Planes(needed)
             | Self::PictureWords(needed)
             | Self::Words(needed)
             | Self::Sums(needed)
@@ -120,6 +126,8 @@ impl TooSmall {
             Self::Pixels(_) => "pixels",
             Self::Tiles(_) => "tiles",
             Self::TileFaces(_) => "faces in tiles",
+            Self::Solids(_) => "solids",
+            Self::Planes(_) => "planes",
             Self::PictureWords(_) => "picture words",
             Self::Words(_) => "words",
             Self::Sums(_) => "sums",

@@ -4,6 +4,7 @@ mod bounding_box;
 mod bounding_cylinder;
 mod bounding_sphere;
 mod bounding_volume;
+mod convex;
 mod edge;
 mod edges;
 mod enclosing_ball;

@@ -7,5 +7,6 @@ mod reference {
     pub mod wide_product;
 }
 
+mod convex;
 mod edges;
 mod polygons;

@@ -23,6 +23,7 @@ mod flight;
 mod fog;
 mod hidden_lines;
 mod hidden_lines_appel;
+mod hidden_lines_roberts;
 mod holes;
 mod lighting;
 mod looks;

@@ -13,10 +13,12 @@ mod line_part;
 mod line_table;
 mod method;
 mod parts;
+mod roberts;
 
 pub use appel::Appel;
 pub use face_against_segment::FaceAgainstSegment;
 pub use line_part::{LinePart, PartKind};
 pub use method::HiddenLines;
+pub use roberts::Roberts;
 
 pub(crate) use line_table::{LineEdge, LineFace, LinePoint, LineTable};

@@ -84,6 +84,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<scene::ModelCase>("scene.model", &["scene"]),
     Target::new::<shading::ShadingCase>("scene.shading", &["scene", "shade"]),
     Target::new::<visible::VisibilityCase>("visible.methods", &["visible"]),
+    Target::new::<visible::RobertsCase>("visible.roberts", &["visible"]),
     Target::new::<scene::DepthCase>("visible.depth", &["scene"]),
     Target::new::<scene::AtDepthCase>("visible.at_depth", &["scene"]),
 ];

@@ -10,7 +10,7 @@ use zrow::{
     scene::{Camera, DepthWidth, DoubleSided, Edge, Memory, Model, Prepared, ScreenPrecision},
     visible::{
         Appel, DepthBuffer, DepthSort, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart, OneDepth, RayCasting,
-        SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
+        Roberts, SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
 };
 use zrow_methods::LookOf;
@@ -19,6 +19,7 @@ use crate::{
     families::scene::{AnyScene, Kind, Large, Mesh, color, colors, models},
     picture::{Canvas, background, is_same},
     target::{Case, Verdict},
+    values::List,
 };
 
 /// Scenes in a part of the picture, by all methods.
@@ -202,6 +203,99 @@ impl VisibilityCase {
 }
 
 impl Case for VisibilityCase {
+    fn check(&self) -> Verdict {
+        match self.kind {
+            Kind::CoarseNarrow => self.check_kind::<Sub4, u16>(),
+            Kind::CoarseWide => self.check_kind::<Sub4, u32>(),
+            Kind::FineNarrow => self.check_kind::<Sub8, u16>(),
+            Kind::FineWide => self.check_kind::<Sub8, u32>(),
+        }
+    }
+}
+
+/// Scenes as lines, with any tables of edges.
+#[derive(Debug, Arbitrary)]
+pub struct RobertsCase {
+    scene: AnyScene,
+    edges: List<AnyEdge, 9>,
+    kind: Kind,
+}
+
+/// An edge of any two vertices and faces.
+#[derive(Debug, Copy, Clone, Arbitrary)]
+enum AnyEdge {
+    Boundary([u8; 2], u8),
+    Crease([u8; 2], [u8; 2]),
+    Smooth([u8; 2], [u8; 2]),
+}
+
+impl AnyEdge {
+    fn get(self) -> Edge {
+        let few = |indices: [u8; 2]| indices.map(|index| u16::from(index) % 8);
+        match self {
+            Self::Boundary(vertices, face) => Edge::boundary(few(vertices), u16::from(face) % 8),
+            Self::Crease(vertices, faces) => Edge::crease(few(vertices), few(faces)),
+            Self::Smooth(vertices, faces) => Edge::smooth(few(vertices), few(faces)),
+        }
+    }
+}
+
+impl RobertsCase {
+    fn check_kind<S: ScreenPrecision, D: DepthWidth>(&self) -> Verdict {
+        let Some(camera) = self.scene.camera() else {
+            return Ok(());
+        };
+        let meshes = self.scene.meshes();
+        let colors = colors(&meshes);
+        let models = models(&meshes, &colors)?;
+        let mut frame = Large::<S, D, true>::new();
+        let Ok(prepared) = frame.prepare(&camera, &models) else {
+            return Ok(());
+        };
+        let edges: Vec<Edge> = self.edges.0.iter().map(|edge| edge.get()).collect();
+        let tables = vec![edges.as_slice(); models.len()];
+        check_parts(&prepared, &tables, &mut Roberts::<3, 80>::new(), true)?;
+        check_parts(&prepared, &tables, &mut Roberts::<3, 6>::new(), false)?;
+        check_parts(&prepared, &tables, &mut Roberts::<1, 80>::new(), false)
+    }
+}
+
+/// Asks a method for its parts: they cover each edge without gaps, hidden and visible ones in turns; or an error, and nothing was
+/// handed over.
+fn check_parts<S: ScreenPrecision, D: DepthWidth>(
+    prepared: &Prepared<'_, '_, Look<S, D>>,
+    tables: &[&[Edge]],
+    method: &mut impl HiddenLines<D>,
+    is_enough: bool,
+) -> Verdict {
+    let mut parts = Vec::new();
+    if let Err(error) = prepared.visible_parts(method, tables, |part| parts.push(part)) {
+        ensure!(!is_enough, "{error} with room for all");
+        ensure!(error.needed() > 0 && parts.is_empty(), "{error}, but handed over");
+        return Ok(());
+    }
+    for (model, table) in tables.iter().enumerate() {
+        for edge in prepared.edges(model, table) {
+            let of_edge = parts
+                .iter()
+                .filter(|part| (part.model, part.edge) == (model, Some(edge.index)));
+            let of_edge: Vec<_> = of_edge.collect();
+            let [start, end] = edge.ends.map(|end| end.point);
+            let (Some(first), Some(last)) = (of_edge.first(), of_edge.last()) else {
+                ensure!(start == end, "no part of an edge");
+                continue;
+            };
+            ensure!([first.ends[0], last.ends[1]] == [start, end], "not the whole edge");
+            for two in of_edge.windows(2) {
+                ensure!(two[0].ends[1] == two[1].ends[0], "a gap");
+                ensure!(two[0].is_hidden != two[1].is_hidden, "two parts that are one");
+            }
+        }
+    }
+    Ok(())
+}
+
+impl Case for RobertsCase {
     fn check(&self) -> Verdict {
         match self.kind {
             Kind::CoarseNarrow => self.check_kind::<Sub4, u16>(),

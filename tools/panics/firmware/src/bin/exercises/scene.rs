@@ -195,6 +195,7 @@ fn picture_item<C: BandColor, O: Order, T: PictureItem<C, O> + 'static>() {
 fn model() {
     keep(FaceSet::vertices_of(any()));
     keep(FaceSet::bounds(any()));
+    keep(FaceSet::is_convex(any()));
     keep(FaceSet::morphed(any(), any(), any(), any()));
     keep(FaceSet::with_neighbours(any(), any()));
     keep(FaceSet::neighbours(any()));

@@ -6,7 +6,8 @@ use zrow::{
     shade::{Texels, Textured},
     visible::{
         Appel, DepthBuffer, DepthSort, DepthSortCounters, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart,
-        OneDepth, PartKind, RayCasting, SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
+        OneDepth, PartKind, RayCasting, Roberts, SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility,
+        Warnock, Work,
     },
 };
 use zrow_panics_firmware::{any, keep};
@@ -93,6 +94,13 @@ fn hidden_lines<L: Look>() {
     keep(FaceAgainstSegment::<500, 16, true>::segments_repeated(any()));
     default::<FaceAgainstSegment<500, 16, true>>();
     visible_parts::<L, FaceAgainstSegment<500, 16, true>>();
+
+    keep(Roberts::<8, 200>::new());
+    keep(Roberts::<8, 200>::pairs(any()));
+    keep(Roberts::<8, 200>::boxes_apart(any()));
+    keep(Roberts::<8, 200>::inequalities(any()));
+    default::<Roberts<8, 200>>();
+    visible_parts::<L, Roberts<8, 200>>();
 
     keep(Appel::<200, 8, 300>::new());
     keep(Appel::<200, 8, 300>::rays(any()));
