@@ -104,15 +104,15 @@ pub(super) fn edges_turned_away<'t, 'm, L: Look>(
 
 /// A model of a prepared frame of which something may be seen.
 #[derive(Copy, Clone)]
-struct ModelOnScreen<'t, 'm, L: Look> {
+pub(super) struct ModelOnScreen<'t, 'm, L: Look> {
     /// The vertices of the model.
-    vertices: &'t [ScreenVertexOf<L>],
+    pub(super) vertices: &'t [ScreenVertexOf<L>],
     model: &'t Model<'m, L::Shading>,
     camera: &'t Camera,
 }
 
 impl<'t, 'm, L: Look> ModelOnScreen<'t, 'm, L> {
-    fn new(
+    pub(super) fn new(
         vertices: &'t [ScreenVertexOf<L>],
         models: &'t [Model<'m, L::Shading>],
         camera: &'t Camera,
@@ -132,11 +132,10 @@ impl<'t, 'm, L: Look> ModelOnScreen<'t, 'm, L> {
     }
 
     /// An edge on the screen, if it is to be drawn.
-    fn edge(&self, index: usize, edge: &Edge) -> Option<ScreenEdge<L::Precision, L::Depth>> {
+    pub(super) fn edge(&self, index: usize, edge: &Edge) -> Option<ScreenEdge<L::Precision, L::Depth>> {
         let (kind, sides) = (edge.kind(), edge.faces().map(|face| self.side(face)));
-        let is_seen = |side: i32| side > 0 || L::DRAWS_BACKS && side < 0;
         let [one, other] = sides;
-        let any_is_seen = is_seen(one) || is_seen(other);
+        let any_is_seen = Self::is_seen(one) || Self::is_seen(other);
         let is_silhouette = match kind {
             EdgeKind::Boundary => any_is_seen,
             EdgeKind::Crease | EdgeKind::Smooth => (one > 0) != (other > 0),
@@ -171,8 +170,18 @@ impl<'t, 'm, L: Look> ModelOnScreen<'t, 'm, L> {
         })
     }
 
+    /// The mesh of the model.
+    pub(super) fn mesh(&self) -> &FaceSet<'m> {
+        self.model.mesh()
+    }
+
+    /// Whether a face is drawn that is seen from a [side](Self::side).
+    pub(super) fn is_seen(side: i32) -> bool {
+        side > 0 || L::DRAWS_BACKS && side < 0
+    }
+
     /// From which side a face is seen: 1 from the front, -1 from behind, 0 on edge, or where there is no such face.
-    fn side(&self, face: u16) -> i32 {
+    pub(super) fn side(&self, face: u16) -> i32 {
         if face == FaceSet::NO_NEIGHBOUR {
             return 0;
         }

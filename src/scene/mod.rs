@@ -41,6 +41,7 @@
 mod clipping;
 mod counters;
 mod culling;
+mod depth_lines;
 mod edges;
 mod estimate;
 mod faces;

@@ -12,6 +12,7 @@ use crate::{
     scene::{
         Counters, Frame, Look, Model,
         culling::faces_left_out,
+        depth_lines::{LineOf, lines_in_depth},
         edges::{self, ScreenEdge, ScreenPoint},
         estimate::RowDrawing,
         faces::{self, ScreenFace},
@@ -24,8 +25,8 @@ use crate::{
     surface::{Order, Target},
     view::Camera,
     visible::{
-        BandPainter, DepthRow, DepthUse, HiddenLines, LinePart, ReportingPainter, Silhouettes, Visibility, Work,
-        face_at,
+        BandPainter, DepthRow, DepthState, DepthUse, HiddenLines, LinePart, ReportingPainter, Silhouettes, Visibility,
+        Work, face_at,
     },
 };
 
@@ -150,13 +151,74 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// with its depths: `|row| text.draw_on(&mut row.at_depth(depth))`.
     ///
     /// `row.at_depth(depth)` is a [`Target`](crate::surface::Target) of the row's pixels at a constant depth: what the scene
-    /// has nearer stays, and of equal depths what was drawn first. `row.y()` is the number of the row in the picture.
+    /// has nearer stays, and of equal depths what was drawn first. `row.at_depth_with(depth, &state)` is one that tests depths by
+    /// a [`DepthState`]. `row.draw_line(&line, color, &state)` draws a
+    /// [`DepthLine`](crate::visible::DepthLine), and [`draw_in`](Self::draw_in) another
+    /// scene. `row.depths()` are the depths, and `row.y()` is the number of the row in the picture.
     pub fn draw_with<O: Order>(
         &mut self,
         band: &mut Band<'_, L::Color, O>,
         more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
     ) {
         self.draw_rows(band, DepthUse::Always, more);
+    }
+
+    /// Draws the faces of this scene into a row that another one hands over in its [`draw_with`](Self::draw_with), tested against
+    /// the depths of the row by a state.
+    ///
+    /// Faces come in the order of models and faces, and of equally near ones the first stays where what is
+    /// [nearer](DepthState::NEARER) is drawn. Each pixel is what a depth buffer of the whole picture would have. Translucent
+    /// faces are mixed with what the row has when their turn comes. Pixels of the row outside of this scene's viewport are left
+    /// alone. In looks with antialiased silhouettes or several samples a pixel this does not compile.
+    ///
+    /// A scene whose own first faces shall be tested by a state is drawn into the rows of one without models.
+    ///
+    /// RAM: none beside that of this scene, whose active list goes on from row to row. Cost: more than that of a row with depths
+    /// by sorting the list, which is nearly in order, and by the test of each pixel, which no loop is specialized for; with a factor
+    /// in the offset two long divisions a face and row. Where more faces cross a row than there are slots (`ACTIVE`), all faces
+    /// are looked at for every 16 that are drawn.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use fixed::types::I16F16;
+    /// use zrow::{
+    ///     band::Band,
+    ///     scene::{Camera, FaceSet, Memory, Model},
+    ///     visible::{Comparison, DepthState},
+    /// };
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let wall = FaceSet::new(&[[-512, -512, 600], [-512, 512, 600], [0, 0, 600]], &[[0, 1, 2]])?;
+    /// let walls = [Model::new(wall, &[Rgb565::BLUE])?];
+    /// let behind = FaceSet::new(&[[-512, -512, 900], [0, 512, 900], [512, -512, 900]], &[[0, 1, 2]])?;
+    /// let (seen, hidden) = ([Model::new(behind, &[Rgb565::RED])?], [Model::new(behind, &[Rgb565::CSS_DARK_RED])?]);
+    ///
+    /// let mut memories = [(); 3].map(|()| Memory::<Rgb565, 3, 1, 64, 64>::new());
+    /// let [first, second, third] = &mut memories;
+    /// let mut scene = first.prepare(&camera, &walls)?;
+    /// let (mut seen, mut hidden) = (second.prepare(&camera, &seen)?, third.prepare(&camera, &hidden)?);
+    ///
+    /// // What is behind the wall is darker.
+    /// let farther = DepthState { comparison: Comparison::Less, writes: false, ..DepthState::NEARER };
+    /// let mut words = [0; 64 * 64];
+    /// scene.draw_with(&mut Band::<Rgb565>::new(area, &mut words)?, |row| {
+    ///     hidden.draw_in(row, &farther);
+    ///     seen.draw_in(row, &DepthState::NEARER);
+    /// });
+    /// let row: Vec<_> = words[36 * 64..37 * 64].iter().map(|word| Rgb565::from(RawU16::new(*word))).collect();
+    /// assert_eq!([row[6], row[25], row[34]], [Rgb565::BLUE, Rgb565::CSS_DARK_RED, Rgb565::RED]);
+    /// # use embedded_graphics::pixelcolor::raw::RawU16;
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    pub fn draw_in<O: Order>(&mut self, row: &mut DepthRow<'_, L::Color, O, L::Depth>, state: &DepthState<L::Depth>) {
+        const {
+            assert!(
+                !L::IS_MULTISAMPLED && !L::Silhouettes::BY_AREA,
+                "such looks are drawn into rows of their own alone"
+            )
+        }
+        self.active.draw_row_by_state(&self.faces, row, state);
     }
 
     /// Draws the rows of a band by another method than the depth row: the same picture, in other time and memory.
@@ -560,6 +622,74 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         edges: &'e [Edge],
     ) -> impl Iterator<Item = ScreenEdge<L::Precision, L::Depth>> + use<'e, 'f, 'm, L> {
         edges::edges::<L>(self.faces.vertices, self.faces.models, &self.faces.camera, model, edges)
+    }
+
+    /// The [`edges`](Self::edges) of a model that are to be drawn, each with the [`DepthLine`](crate::visible::DepthLine) that draws it over the faces of the
+    /// scene: as a wireframe whose hidden parts are left out, or have another style.
+    ///
+    /// ```text
+    ///           +---------+
+    ///           |         |          an edge behind a box: its hidden part by the opposite comparison, in another colour
+    ///     ------|- - - - -|------
+    ///           |         |          the edges of the box over its own faces: by the offset no pixel is missing because
+    ///           +---------+          depths are rounded, or taken half a pixel beside the edge
+    /// ```
+    ///
+    /// With [`PolygonOffset::WIREFRAME`](crate::visible::PolygonOffset::WIREFRAME) a pixel of a line is in front of the faces
+    /// beside its edge that cover it. The slope in the offset is the greater one of those of these faces, as far as they are
+    /// seen; faces of which near plane or guard band cut something count by the parts that are left. What is nearer by more
+    /// than the offset hides a pixel of the line.
+    ///
+    /// Cost: that of [`edges`](Self::edges) and four long divisions an edge, once a frame; a face that was cut is looked for
+    /// among the parts of all such faces. Where this is not called nothing is linked for it.
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+    /// use fixed::types::{I2F14, I16F16, U0F16};
+    /// use zrow::{
+    ///     band::Band,
+    ///     scene::{Camera, Edge, FaceSet, Memory, Model, Pose, Rotation},
+    ///     visible::{Comparison, DepthLine, DepthState, PolygonOffset},
+    /// };
+    ///
+    /// // A pyramid; the first four faces are its sides.
+    /// const VERTICES: [[i16; 3]; 5] = [[-512, -300, -512], [-512, -300, 512], [512, -300, 512], [512, -300, -512], [0, 400, 0]];
+    /// const FACES: [[u16; 3]; 6] = [[0, 4, 3], [1, 4, 0], [2, 4, 1], [3, 4, 2], [0, 3, 2], [0, 2, 1]];
+    /// static EDGES: [Edge; 9] = match FaceSet::find_edges(&VERTICES, &FACES, I2F14::lit("0.866")) {
+    ///     Ok(edges) => edges,
+    ///     Err(_) => panic!("a face names a vertex that is not there, or the table is too small"),
+    /// };
+    ///
+    /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+    /// let camera = Camera::new(area, I16F16::from_num(128))?;
+    /// let pose = Pose::new(Rotation::about_y(U0F16::from_num(0.06)), [0, 0, 1800].map(I16F16::from_num));
+    /// let models = [Model::new(FaceSet::new(&VERTICES, &FACES)?, &[Rgb565::CSS_DIM_GRAY; 6])?.with_pose(pose)];
+    /// let mut memory = Memory::<Rgb565, 5, 6, 64, 64>::new();
+    /// let mut scene = memory.prepare(&camera, &models)?;
+    ///
+    /// // Once a frame.
+    /// let lines: heapless::Vec<DepthLine<u16>, 9> = scene.lines_in_depth(0, &EDGES).map(|(_, line)| line).collect();
+    /// let visible = DepthState { writes: false, offset: PolygonOffset::WIREFRAME, ..DepthState::NEARER };
+    /// let hidden = DepthState { comparison: visible.comparison.opposite(), ..visible };
+    /// let mut words = [0; 64 * 64];
+    /// scene.draw_with(&mut Band::<Rgb565>::new(area, &mut words)?, |row| {
+    ///     for line in &lines {
+    ///         row.draw_line(line, Rgb565::CSS_GRAY, &hidden);
+    ///     }
+    ///     for line in &lines {
+    ///         row.draw_line(line, Rgb565::WHITE, &visible);
+    ///     }
+    /// });
+    /// assert!(words.contains(&Rgb565::WHITE.into_storage()));
+    /// # Ok::<(), zrow::geometry::InputError>(())
+    /// ```
+    pub fn lines_in_depth<'e>(
+        &'e self,
+        model: usize,
+        edges: &'e [Edge],
+    ) -> impl Iterator<Item = LineOf<L>> + use<'e, 'f, 'm, L> {
+        let vertices = (self.faces.vertices, self.fragments.clone());
+        lines_in_depth::<L>(vertices, self.faces.models, &self.faces.camera, model, edges)
     }
 
     /// The [`edges`](Self::edges) of all models, cut into parts that faces hide and parts that are visible, found by one of the

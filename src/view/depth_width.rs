@@ -7,9 +7,11 @@ use crate::surface::PixelWord;
 /// Depth is NDC z, affine in 1/w: nearly the greatest value at the near plane, falling to the smallest at infinity.
 /// The cleared row holds 0, which is farther than everything. One unit at distance z is z²/(near * 65,535) of space
 /// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
-pub trait DepthWidth: PixelWord + Default + Ord + Send + Sync + sealed::Sealed {
+pub trait DepthWidth: PixelWord + Default + Ord + Into<u32> + Send + Sync + sealed::Sealed {
     /// The value that a depth row is cleared to: farther than everything.
     const FARTHEST: Self;
+    /// The greatest value that a depth row can hold: nothing is nearer.
+    const NEAREST: Self;
     /// Fractional bits of the interpolated depth: 16 for `u16`, 8 for `u32`; 32 bits hold it either way.
     const FRACTION_BITS: u32;
 
@@ -31,6 +33,7 @@ mod sealed {
 
 impl DepthWidth for u16 {
     const FARTHEST: Self = 0;
+    const NEAREST: Self = Self::MAX;
     const FRACTION_BITS: u32 = 16;
 
     #[inline]
@@ -57,6 +60,7 @@ impl DepthWidth for u16 {
 
 impl DepthWidth for u32 {
     const FARTHEST: Self = 0;
+    const NEAREST: Self = Self::MAX;
     const FRACTION_BITS: u32 = 8;
 
     #[inline]

@@ -48,6 +48,25 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         })
     }
 
+    /// The part of the row that is in a window; `None` where it has no pixels there.
+    pub(super) fn within(&mut self, window: &Window) -> Option<DepthRow<'_, C, O, D>> {
+        let (left, right) = (
+            self.left.max(window.left),
+            (self.left + self.words.len() as i32).min(window.right),
+        );
+        if left >= right || self.y < window.top || self.y >= window.bottom {
+            return None;
+        }
+        let columns = (left - self.left) as usize..(right - self.left) as usize;
+        Some(DepthRow {
+            y: self.y,
+            left,
+            words: self.words.get_mut(columns.clone())?,
+            depths: self.depths.get_mut(columns)?,
+            order: core::marker::PhantomData,
+        })
+    }
+
     /// Resets all depths of the row to the farthest one.
     pub(crate) fn clear_depths(&mut self) {
         PixelWord::fill(self.depths, not_constant(D::FARTHEST));
@@ -95,6 +114,11 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
     #[inline]
     pub(crate) fn words(&self) -> &[C::Word] {
         self.words
+    }
+
+    /// The depths of the row's pixels as they are stored, from left to right: nearer is larger, and 0 is where nothing is.
+    pub const fn depths(&self) -> &[D] {
+        self.depths
     }
 
     /// The number of the row in the picture.

@@ -79,7 +79,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     }
 
     /// Brings the list to a row, from a column on, with the faces of its first pass. `false` where no face crosses the row.
-    fn begin_passes<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, [left, row]: [i32; 2]) -> bool {
+    pub(super) fn begin_passes<D: DepthWidth>(
+        &mut self,
+        faces: &impl FaceTable<S, D, H>,
+        [left, row]: [i32; 2],
+    ) -> bool {
         let follows = self.next_row == row && self.first_column == left && !self.disjoint;
         let fits = self.passes.crossing(faces, row) <= self.capacity();
         self.next_row = if fits { row + 1 } else { i32::MIN };

@@ -232,7 +232,7 @@ fn model() {
 }
 
 /// The target that a row hands out; its type has no public name.
-fn row_target<T: Target>(mut target: T) {
+pub fn row_target<T: Target>(mut target: T) {
     keep(target.bounding_box());
     keep(target.window());
     keep(target.fill_span(any(), target.raw(any())));

@@ -2,17 +2,20 @@ use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::{BigEndian, LittleEndian, Order},
     scan::Polygons,
-    scene::{Deep, DoubleSided, Fine, Look, Prepared},
-    shade::{Texels, Textured},
+    scene::{Deep, DepthWidth, DoubleSided, Fine, Look, OnePass, Prepared, Whole},
+    shade::{Gouraud, Texels, Textured, Translucent},
     visible::{
-        Appel, DepthBuffer, DepthSort, DepthSortCounters, FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart,
-        OneDepth, PartKind, RayCasting, Roberts, SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility,
-        Warnock, Work,
+        Appel, Comparison, DepthBuffer, DepthLine, DepthSort, DepthSortCounters, DepthState, FaceAgainstSegment,
+        GridRayCasting, HiddenLines, LinePart, OneDepth, PartKind, PolygonOffset, RayCasting, Roberts,
+        SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
 };
-use zrow_panics_firmware::{any, keep};
+use zrow_panics_firmware::{any, keep, keep_all};
 
-use crate::foreign::{clone, default, eq};
+use crate::{
+    foreign::{clone, default, eq},
+    scene::row_target,
+};
 
 pub const EXERCISES: &[fn()] = &[
     methods::<Rgb565, BigEndian>,
@@ -21,7 +24,42 @@ pub const EXERCISES: &[fn()] = &[
     hidden_lines::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>>,
     solids::<DoubleSided<Rgb565>, BigEndian>,
     solids::<DoubleSided<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>>, LittleEndian>,
+    depth_test::<Rgb565, BigEndian>,
+    depth_test::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>, LittleEndian>,
+    depth_test::<Whole<OnePass<Translucent<Gouraud<Rgb565>>>>, LittleEndian>,
+    depth_values::<u16>,
+    depth_values::<u32>,
 ];
+
+/// What is drawn into the rows of a scene by a state of the depth test.
+#[inline(never)]
+fn depth_test<L: Look, O: Order + 'static>() {
+    keep(Prepared::<L>::draw_with::<O>(any(), any(), |row| {
+        keep(row.depths());
+        row.draw_line(any(), any(), any());
+        keep(Prepared::<L>::draw_in(any(), row, any()));
+        row_target(row.at_depth_with(any(), any()));
+    }));
+    keep_all(Prepared::<L>::lines_in_depth(any(), any(), any()));
+}
+
+#[inline(never)]
+fn depth_values<D: DepthWidth + 'static>() {
+    keep(DepthLine::<D>::new(any()));
+    clone::<DepthLine<D>>();
+    eq::<DepthLine<D>>();
+    default::<DepthState<D>>();
+    clone::<DepthState<D>>();
+    eq::<DepthState<D>>();
+    default::<PolygonOffset>();
+    clone::<PolygonOffset>();
+    eq::<PolygonOffset>();
+    keep(Comparison::passes::<D>(any(), any(), any()));
+    keep(Comparison::opposite(any()));
+    default::<Comparison>();
+    clone::<Comparison>();
+    eq::<Comparison>();
+}
 
 /// Each method in a look.
 #[inline(never)]
