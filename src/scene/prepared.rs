@@ -171,7 +171,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// faces are mixed with what the row has when their turn comes. Pixels of the row outside of this scene's viewport are left
     /// alone. In looks with antialiased silhouettes or several samples a pixel this does not compile.
     ///
-    /// A scene whose own first faces shall be tested by a state is drawn into the rows of one without models.
+    /// A scene that is to be tested by a state as a whole is drawn into the rows of one without models. One that is drawn twice
+    /// into the same row starts with all its faces anew each time: prepared twice it does not.
     ///
     /// RAM: none beside that of this scene, whose active list goes on from row to row. Cost: more than that of a row with depths
     /// by sorting the list, which is nearly in order, and by the test of each pixel, which no loop is specialized for; with a factor

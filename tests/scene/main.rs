@@ -17,6 +17,7 @@ mod clipped_faces;
 mod counters;
 mod depth_row;
 mod depth_state;
+mod depth_state_shading;
 mod depths_first;
 mod double_sided;
 mod estimates;

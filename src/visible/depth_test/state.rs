@@ -38,7 +38,7 @@ pub struct DepthState<D> {
 ///
 /// `m` is the greatest slope of the depth, per column or per row, after the depth was mapped to its range: that of the face,
 /// for an edge that of the steeper one of the faces beside it that are seen, for a
-/// [`DepthLine`](crate::visible::DepthLine) of a program's own that along the line, and 0 for what has a constant depth. It
+/// [`DepthLine`](crate::visible::DepthLine) of a program's own that along the line, and 0 for what has a constant depth, as a point or a text. It
 /// counts as the whole range of depths a pixel at most. `r` is a unit of depth: 1 for depths of 16 bits, 256 for those of 32,
 /// whose lowest 8 bits are a fraction.
 ///

@@ -3,6 +3,7 @@
 pub mod band;
 pub mod clip;
 pub mod coverage;
+pub mod depth_state;
 pub mod draw;
 pub mod geometry;
 pub mod mesh;
