@@ -27,7 +27,7 @@ use crate::{
     standard::{Icosphere, Sc1, Sc2, Sc3, TorusAndCube, TurningCube},
     strokes::Strokes,
     teapots::{GouraudTeapot, TexturedTeapot},
-    visibility::{ScanLine, VisibilitySiblings},
+    visibility::{HiddenLineDrawings, ScanLine, VisibilitySiblings},
 };
 
 /// Does the same with scenes of different types.
@@ -85,6 +85,7 @@ catalogue![
     TurningCube,
     VisibilitySiblings,
     ScanLine,
+    HiddenLineDrawings,
     Sc1,
     Sc2,
     Sc3,

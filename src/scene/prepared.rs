@@ -625,8 +625,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         edges::edges::<L>(self.faces.vertices, self.faces.models, &self.faces.camera, model, edges)
     }
 
-    /// The [`edges`](Self::edges) of a model that are to be drawn, each with the [`DepthLine`](crate::visible::DepthLine) that draws it over the faces of the
-    /// scene: as a wireframe whose hidden parts are left out, or have another style.
+    /// The [`edges`](Self::edges) of a model that are to be drawn, each with the [`DepthLine`](crate::visible::DepthLine) that
+    /// draws it over the faces of the scene: as a wireframe whose hidden parts are left out, or have another style.
     ///
     /// ```text
     ///           +---------+

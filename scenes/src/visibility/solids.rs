@@ -78,7 +78,7 @@ const BEAM: FaceSet = face_set(&BEAM_VERTICES, &BEAM_FACES);
 const R: i16 = RADIUS;
 const OCTAHEDRON_VERTICES: [[i16; 3]; 6] = [[R, 0, 0], [-R, 0, 0], [0, R, 0], [0, -R, 0], [0, 0, R], [0, 0, -R]];
 #[rustfmt::skip]
-const OCTAHEDRON_FACES: [[u16; 3]; 8] = [
+pub const OCTAHEDRON_FACES: [[u16; 3]; 8] = [
     [0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4],
     [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5],
 ];

@@ -9,11 +9,10 @@
 //! ```
 //!
 //! Stored depths are rounded to a unit, and positions to that of the precision, so that what lies in the plane of a face in
-//! space may lie somewhat behind it here. A face hides only what is behind it by more than a tolerance: 2 units of depth (8 of depths with 24
-//! bits), and what the face's depth changes over one unit of x and one of y. Where a
-//! corner of the face is an end of the edge, both to the unit, the edge begins in the plane: it is hidden there from this end
-//! on if it is behind by more than the tolerance where it leaves the triangle. A face that has both ends hides nothing of the
-//! edge.
+//! space may lie somewhat behind it here. A face hides only what is behind it by more than a tolerance: 2 units of depth (8 of
+//! depths with 24 bits), and what the face's depth changes over one unit of x and one of y. Where a corner of the face is an
+//! end of the edge, both to the unit, the edge begins in the plane: it is hidden there from this end on if it is behind by more
+//! than the tolerance where it leaves the triangle. A face that has both ends hides nothing of the edge.
 
 use core::num::NonZeroU32;
 
