@@ -83,7 +83,7 @@ impl HidingFace {
     }
 
     /// The part of a segment within the triangle, its border included.
-    pub(super) fn within(&self, ends: [LinePoint; 2]) -> Option<[u32; 2]> {
+    fn within(&self, ends: [LinePoint; 2]) -> Option<[u32; 2]> {
         let [a, b, c] = self.corners;
         let mut within = [0, END];
         for line in [[a, b], [b, c], [c, a]] {
@@ -99,14 +99,6 @@ impl HidingFace {
         let part =
             |line: [LinePoint; 2], opposite: LinePoint| i128::from(side(line, point)) * i128::from(opposite.depth);
         part([b, c], a) + part([c, a], b) + part([a, b], c) - i128::from(self.area) * i128::from(point.depth)
-    }
-
-    /// Whether some of the corners of another face are behind the plane of this one and some before it, by more than the
-    /// tolerance.
-    pub(super) fn is_crossed_by<D: DepthWidth>(&self, corners: &[LinePoint; 3]) -> bool {
-        let tolerance = self.tolerance::<D>();
-        let [a, b, c] = corners.map(|corner| self.behind(corner));
-        a.max(b).max(c) > tolerance && a.min(b).min(c) < -tolerance
     }
 
     /// The tolerance of the face, in units of depth times [`area`](Self::area).

@@ -9,6 +9,7 @@ mod face_against_segment;
 mod face_box;
 mod hiding;
 mod intersection;
+mod junction;
 mod line_part;
 mod line_table;
 mod method;

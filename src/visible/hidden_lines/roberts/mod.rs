@@ -46,7 +46,6 @@
 //! of each two faces of different models whose boxes overlap. Source: L. G. Roberts, Machine Perception of Three-Dimensional
 //! Solids, 1963.
 
-mod junction;
 mod plane;
 mod solid;
 mod tested_line;
@@ -56,12 +55,12 @@ use crate::{
     view::{DepthWidth, ScreenPrecision},
     visible::hidden_lines::{
         hiding::HidingFace,
+        junction::junction,
         line_part::LinePart,
         line_table::{LineEdge, LineFace, LineTable},
         method::Method,
         parts::{END, PartedLine, Parts},
         roberts::{
-            junction::junction,
             plane::Plane,
             solid::{Bounds, Solid, Volume, faces_of, volume},
             tested_line::{Covered, TestedLine},

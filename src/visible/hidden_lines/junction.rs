@@ -9,6 +9,12 @@
 //!                    /       ////  /    4           one: 1 to 3, the other: 2 to 4
 //!                   +-----------+                   both: 2 to 3
 //! ```
+//!
+//! Guarantees: two faces that have a side get the same point where it pierces a third one, so that the line goes on from face to
+//! face, to the unit. Faces that touch within the tolerance with which faces hide have no line. Cost: how far six corners are from a
+//! plane, and four points, two products of 64 bits each.
+//!
+//! Source: the overlap of two intervals on the line of both planes: Möller 1997, "A fast triangle-triangle intersection test".
 
 use crate::{
     view::DepthWidth,
