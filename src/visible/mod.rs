@@ -140,11 +140,50 @@
 //! Which parts of the edges of models are hidden: [`Prepared::visible_parts`](crate::scene::Prepared::visible_parts) takes one of
 //! the methods ([`HiddenLines`]) and hands over each edge in [parts](LinePart):
 //!
-//! - [`FaceAgainstSegment`]: each edge compared with each face (Galimberti and Montanari 1969). For solids of any shape, also
-//!   where they penetrate each other.
 //! - [`Appel`]: the number of faces in front of an edge, counted once and carried along the edges (Appel 1967). For many edges that
 //!   are connected.
+//! - [`FaceAgainstSegment`]: each edge compared with each face (Galimberti and Montanari 1969). For solids of any shape, also
+//!   where they penetrate each other.
 //! - [`Roberts`]: edges against convex solids, with the new edges where solids penetrate each other (Roberts 1963).
+//!
+//! The demo scene `hidden-lines` draws by all three.
+//!
+//! ## Face against segment
+//!
+//! An edge goes through all faces, the nearest first. A face that hides its middle leaves two segments: one goes on with the
+//! next face, the other one waits on a stack with the face that it has to go on with. What comes past the last face is visible.
+//!
+//! ```text
+//!  P ------------------------- Q
+//!  P ---|  A  |--------------- Q      A hides the middle; the left segment goes on, the right one waits
+//!  P ---|  A  |----|  B  |---- Q      left is past all faces: visible. B hides a part of the right one
+//! ```
+//!
+//! ## Roberts
+//!
+//! A convex solid is what lies behind the planes of all its faces. An edge is hidden by it where rays from its points towards
+//! the viewer meet the solid, which is one interval of the edge, whose ends follow from one inequality for each plane. Where an
+//! edge pierces a face of another solid, a new edge begins that no mesh has.
+//!
+//! ```text
+//!           +-------+
+//!          /         \
+//!  P -----+===========+----- Q      hidden between the least and the greatest parameter that all planes allow
+//!          \         /
+//!           +-------+
+//! ```
+//!
+//! ## Appel
+//!
+//! The quantitative invisibility of a point is the number of faces in front of it. Along an edge it changes only where that passes
+//! behind a contour, a side of a face that is seen without such a face on its other side, or goes through a face. So a ray
+//! counts the faces in front of one vertex, and from there the number is carried along all edges that are connected with it.
+//!
+//! ```text
+//!          +-----------+---+
+//!  P ---+=======/=======+--- Q      two faces that share a side: behind the outer sides the number changes, behind the shared
+//!    0  |   1  /    1   |  0        one it does not
+//! ```
 //!
 //! # The depth test
 //!
