@@ -57,6 +57,7 @@ mod preparation;
 mod prepare;
 mod prepared;
 mod prepared_faces;
+mod prepared_lines;
 mod scene_item;
 mod silhouette_tables;
 mod silhouettes;
