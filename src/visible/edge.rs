@@ -252,8 +252,11 @@ impl PixelAfter {
 fn skip(column: i32, error_term: i32, [columns, rest, height]: [i32; 3], rows: i32) -> (i32, i32) {
     // Below 2^22 * 2^14 with 1/256 pixel.
     let behind = i64::from(rest) * i64::from(rows) - i64::from(error_term);
-    // Rounded up; an edge without height crosses no row.
-    let (carries, error_term) = if behind > 0 && height > 0 {
+    let (carries, error_term) = if height <= 0 {
+        // An edge without height crosses no row.
+        (0, 0)
+    } else if behind > 0 {
+        // Rounded up.
         let (carries, over) = divide_long(behind + i64::from(height) - 1, height);
         (carries, height - 1 - over)
     } else {
@@ -314,6 +317,17 @@ mod tests {
             let edge = S4::in_row(right, size, -1);
             assert_eq!(edge.sum.column(), seen, "{width}");
             assert_eq!(seen, column(right, size, -1).min(2047), "{width}");
+        }
+    }
+
+    /// A level edge has no columns, but rows below it are entered with it, too.
+    #[test]
+    fn an_edge_without_height_is_entered_in_any_row() {
+        for width in [-32_000, -1, 0, 1, 32_000] {
+            for row in [-1000, 0, 1000] {
+                let top = Position { x: -16_000, y: -16_000 };
+                S4::new::<true>(top, Position { x: width, y: 0 }, row);
+            }
         }
     }
 
