@@ -127,6 +127,10 @@ fn alone<S: Format<D>, D: DepthWidth>(second: &Second, camera: &Camera) -> Alone
 fn slope<S: Format<D>, D: DepthWidth>(face: &Face) -> i128 {
     let [[x0, y0, z0], [x1, y1, z1], [x2, y2, z2]] = face.corners;
     let area = ((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)).abs();
+    if area == 0 {
+        // Seen on edge: no pixel asks for it.
+        return 0;
+    }
     let per_column = (z1 - z0) * (y2 - y0) - (z2 - z0) * (y1 - y0);
     let per_row = (x1 - x0) * (z2 - z0) - (x2 - x0) * (z1 - z0);
     let steepest = per_column.abs().max(per_row.abs()) << (S::FRACTION_BITS + D::FRACTION_BITS);

@@ -199,9 +199,8 @@ fn scaled<D: DepthWidth>(slope: u32, width: u64) -> u32 {
 fn steps_of<D: DepthWidth>(offset: PolygonOffset, slope: u32) -> i64 {
     // The 16 fractional bits of the factor, and those of interpolated depths that are not stored: 16 of 16, and none of 8.
     let fraction = 16 + 32 - bits::<D>();
-    // More than all depths, so that it makes no difference.
-    let most = 1 << 25;
-    let units = i64::from(offset.units.max(-most).min(most)) << (D::FRACTION_BITS + 16);
+    // At most 2^63 in size for depths of 16 bits, and less than that for those of 32.
+    let units = i64::from(offset.units) << (D::FRACTION_BITS + 16);
     let sum = (i64::from(offset.factor.to_bits()) * i64::from(slope)).saturating_add(units);
     let steps = (sum >> (fraction - 1)).saturating_add(1) >> 1;
     let most = 1 << 32;
