@@ -354,7 +354,7 @@ fn combinations_of<L: Look<Color = Rgb888, Shading = Rgb888>>(seed: u64, distanc
 #[test]
 fn combinations_are_those_of_exact_arithmetic() {
     let mut compared = 0;
-    for seed in 1..if is_deep() { 60 } else { 5 } {
+    for seed in 1..if is_deep() { 30 } else { 5 } {
         compared += combinations_of::<DoubleSided<Rgb888>>(seed, 1_400..1_900);
         compared += combinations_of::<DoubleSided<Fine<Deep<Rgb888>>>>(seed, 1_400..1_900);
         compared += combinations_of::<Orthographic<DoubleSided<Deep<Rgb888>>>>(seed, 1_400..1_900);
@@ -366,7 +366,7 @@ fn combinations_are_those_of_exact_arithmetic() {
 #[test]
 fn combinations_cut_open_by_the_near_plane() {
     let mut compared = 0;
-    for seed in 1..if is_deep() { 60 } else { 5 } {
+    for seed in 1..if is_deep() { 30 } else { 5 } {
         compared += combinations_of::<DoubleSided<Fine<Deep<Rgb888>>>>(seed, 0..500);
     }
     assert!(compared > 5_000, "{compared}");
@@ -374,7 +374,7 @@ fn combinations_cut_open_by_the_near_plane() {
 
 #[test]
 fn combinations_obey_the_laws_of_sets() {
-    for seed in 1..if is_deep() { 40 } else { 4 } {
+    for seed in 1..if is_deep() { 20 } else { 4 } {
         let mut next = numbers(seed);
         let (scene, [a, b, c]) = three_solids(&mut next);
         let models = random_models(&scene, &mut next, 1_300..1_700);
@@ -411,7 +411,7 @@ fn combinations_obey_the_laws_of_sets() {
 fn a_union_of_disjoint_solids_is_the_picture_of_the_depth_row() {
     let scene = Scene::new(vec![meshes::torus(), meshes::cube(0.3), meshes::icosphere(0.4)]);
     let [a, b, c] = [0..576, 576..588, 588..908].map(Solid::Faces);
-    for frame in 0..if is_deep() { 60 } else { 6 } {
+    for frame in 0..if is_deep() { 30 } else { 6 } {
         let mut models = scene.models(standard_pose(frame));
         models[1].pose.translation[0] = I16F16::from_num(1_100);
         models[2].pose.translation[2] = I16F16::from_num(3_000);
