@@ -1,8 +1,8 @@
 //! The methods of visibility that are counted side by side, and up to what they are.
 
 /// Calls another macro with `[name] [method]` of each method but the depth row. The method is an expression that makes one, with
-/// room for `FACES` faces, of which `ACTIVE` cross a row, on `PIXELS` pixels in `TILES` tiles that `TILE_FACES` faces meet:
-/// constants of where the macro is called.
+/// room for `FACES` faces, of which `ACTIVE` cross a row, on `PIXELS` pixels in `TILES` tiles that `TILE_FACES` faces meet, and in
+/// `CELLS` cells that have `ENTRIES` of them: constants of where the macro is called.
 #[macro_export]
 macro_rules! hidden_surfaces {
     ($visit:ident) => {
@@ -13,6 +13,7 @@ macro_rules! hidden_surfaces {
             [sort] [zrow::visible::DepthSort::<{ FACES }, 200>::new()]
             [quarters] [zrow::visible::Warnock::<{ FACES }>::new()]
             [rays] [zrow::visible::RayCasting::<{ FACES }>::new()]
+            [grid] [zrow::visible::GridRayCasting::<{ FACES }, { CELLS }, { ENTRIES }>::new()]
             [one] [zrow::visible::OneDepth::new(zrow::scan::Polygons::winding_number)]
         }
     };
@@ -29,14 +30,15 @@ pub struct HiddenSurfaces {
 }
 
 /// All methods; the first one is the default, which is no method of `hidden_surfaces`.
-pub const HIDDEN_SURFACES: [HiddenSurfaces; 8] = [
+pub const HIDDEN_SURFACES: [HiddenSurfaces; 9] = [
     method("row", "depth row", [usize::MAX; 2]),
     method("intervals", "intervals", [usize::MAX; 2]),
     method("buffer", "depth buffer", [usize::MAX; 2]),
     method("bins", "tile bins", [usize::MAX; 2]),
     method("sort", "painter", [usize::MAX, 8]),
     method("quarters", "Warnock", [usize::MAX; 2]),
-    method("rays", "ray casting", [usize::MAX, 2]),
+    method("rays", "rays: boxes", [usize::MAX, 2]),
+    method("grid", "rays: grid", [usize::MAX, 2]),
     method("one", "one depth", [768, 2]),
 ];
 

@@ -414,7 +414,8 @@ fn hidden_surfaces() -> impl Iterator<Item = Case> {
         ("bins", "tile bins"),
         ("sort", "the painter's algorithm"),
         ("quarters", "Warnock's quarters"),
-        ("rays", "ray casting"),
+        ("rays", "rays through a tree of boxes"),
+        ("grid", "rays through a grid"),
         ("one", "one depth, pixel by pixel"),
     ];
     [V7EM, V6M].into_iter().flat_map(move |target| {

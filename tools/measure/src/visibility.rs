@@ -7,7 +7,7 @@ use zrow::{
     band::Band,
     geometry::TooSmall,
     scene::{Camera, Memory},
-    visible::{DepthBuffer, DepthSort, RayCasting, SpanScanLine, TileBins, Warnock},
+    visible::{DepthBuffer, DepthSort, GridRayCasting, RayCasting, SpanScanLine, TileBins, Warnock},
 };
 use zrow_methods::{HIDDEN_SURFACES, HiddenSurfaces};
 use zrow_scenes::hidden::{HiddenFaces, MOST_FACES, MOST_VERTICES, SPHERES};
@@ -130,6 +130,7 @@ fn flash(method: &HiddenSurfaces) -> Option<Case> {
         "visibility.sort",
         "visibility.quarters",
         "visibility.rays",
+        "visibility.grid",
         "visibility.one",
     ];
     let content = CONTENTS
@@ -232,6 +233,14 @@ fn bytes_of(method: &HiddenSurfaces, needs: &Needs) -> usize {
         ),
         "quarters" => grown([size_of::<Warnock<0>>(), size_of::<Warnock<100>>()], needs.faces),
         "rays" => grown([size_of::<RayCasting<0>>(), size_of::<RayCasting<100>>()], needs.faces),
+        // With eight cells and sixteen entries for each face.
+        "grid" => grown(
+            [
+                size_of::<GridRayCasting<0, 0, 0>>(),
+                size_of::<GridRayCasting<100, 800, 1_600>>(),
+            ],
+            needs.faces,
+        ),
         _ => 0,
     }
 }
@@ -270,6 +279,10 @@ mod tests {
             [size_of::<DepthSort<100, 200>>(), size_of::<DepthSort<1000, 200>>()],
             [size_of::<Warnock<100>>(), size_of::<Warnock<1000>>()],
             [size_of::<RayCasting<100>>(), size_of::<RayCasting<1000>>()],
+            [
+                size_of::<GridRayCasting<100, 800, 1_600>>(),
+                size_of::<GridRayCasting<1000, 8_000, 16_000>>(),
+            ],
         ];
         for (method, sizes) in HIDDEN_SURFACES.iter().skip(1).zip(sizes) {
             // A type may end in up to seven bytes of padding.

@@ -48,9 +48,9 @@ const CELLS_FOR_EACH_FACE: usize = 8;
 /// Ray casting through a uniform grid ([`Visibility`](crate::visible::Visibility)): rays march from the eye through at most
 /// `CELLS` cells, whose lists have `ENTRIES` entries together, for at most `FACES` faces that are not all beside the window.
 ///
-/// Take it for many faces of about the same size all over the scene; where most of them are in one place, in few cells, the
-/// tree of [`RayCasting`](crate::visible::RayCasting) is better. With fewer cells or entries the picture is the same, and
-/// rays ask more faces; without any they ask all.
+/// Take it to compare: on emulated chips, for 12 to 4,992 faces and for one or two walls, it took 0.95 to 3.9 times as many
+/// instructions as the tree of [`RayCasting`](crate::visible::RayCasting), because cells are marched through for each ray. With fewer
+/// cells or entries the picture is the same, and rays ask more faces; without any they ask all.
 ///
 /// RAM: 4 bytes a face, 2 a cell and 2 an entry, and 16. Eight cells and sixteen entries for each face are much; more cells than
 /// eight for each face are not used.

@@ -12,13 +12,13 @@ use crate::{
     visibility::{AXES, Axis, Counts},
 };
 
-const SIZE: (i32, i32) = (1080, 470);
+const SIZE: (i32, i32) = (1180, 470);
 const TOP: i32 = 70;
 const BOTTOM: i32 = SIZE.1 - 96;
 /// The left sides of the panels, and how wide each is.
 const LEFT: i32 = 110;
-const PANEL: i32 = 280;
-const STEP: i32 = 325;
+const PANEL: i32 = 310;
+const STEP: i32 = 355;
 /// Labels that are closer than this would overlap.
 const CLOSE: i32 = 40;
 
@@ -30,6 +30,7 @@ const COLORS: [RGBColor; HIDDEN_SURFACES.len()] = [
     RGBColor(190, 150, 20),
     RGBColor(200, 60, 120),
     RGBColor(90, 90, 90),
+    RGBColor(150, 110, 70),
     RGBColor(40, 170, 180),
 ];
 

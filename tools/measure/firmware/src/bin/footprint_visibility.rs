@@ -20,6 +20,8 @@ const PIXELS: usize = WIDTH * HEIGHT;
 const TILES: usize = 4;
 const TILE_FACES: usize = 100;
 const FACES: usize = 100;
+const CELLS: usize = 100;
+const ENTRIES: usize = 200;
 const ACTIVE: usize = 50;
 
 #[entry]

@@ -9,7 +9,9 @@ use zrow::{
     band::Band,
     scan::Polygons,
     scene::Prepared,
-    visible::{DepthBuffer, DepthSort, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock},
+    visible::{
+        DepthBuffer, DepthSort, GridRayCasting, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock,
+    },
 };
 use zrow_measure_firmware::{
     report,
@@ -74,6 +76,7 @@ fn main() -> ! {
     let buffer = cortex_m::singleton!(: DepthBuffer<u16, PIXELS> = DepthBuffer::new());
     let sort = cortex_m::singleton!(: DepthSort<FACES, 100> = DepthSort::new());
     let rays = cortex_m::singleton!(: RayCasting<FACES> = RayCasting::new());
+    let grid = cortex_m::singleton!(: GridRayCasting<FACES, { 8 * FACES }, { 16 * FACES }> = GridRayCasting::new());
     let spans = cortex_m::singleton!(: SpanScanLine<60> = SpanScanLine::new());
     let bins = cortex_m::singleton!(: TileBins<u16, 32, 2_000> = TileBins::new());
     let quarters = cortex_m::singleton!(: Warnock<FACES> = Warnock::new());
@@ -83,7 +86,7 @@ fn main() -> ! {
     let (Some(buffer), Some(sort), Some(rays)) = (buffer, sort, rays) else {
         report::exit(false)
     };
-    let (Some(spans), Some(bins), Some(quarters)) = (spans, bins, quarters) else {
+    let (Some(grid), Some(spans), Some(bins), Some(quarters)) = (grid, spans, bins, quarters) else {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
@@ -96,6 +99,7 @@ fn main() -> ! {
     picture.count(&mut runner, "sort", &FRAMES, sort);
     picture.count(&mut runner, "quarters", &FRAMES, quarters);
     picture.count(&mut runner, "rays", &FRAMES, rays);
+    picture.count(&mut runner, "grid", &FRAMES, grid);
     picture.count(
         &mut runner,
         "one",
