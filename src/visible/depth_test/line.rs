@@ -1,6 +1,6 @@
 //! Lines whose depth varies, drawn into the rows of a scene, one row at a time.
 
-use core::num::NonZeroU64;
+use core::num::{NonZeroU32, NonZeroU64};
 
 use embedded_graphics::geometry::Point;
 
@@ -52,7 +52,8 @@ impl<D: DepthWidth> DepthLine<D> {
         };
         let line = Self { ends, depths, slope: 0 };
         let gain = u64::from(line.gain()) << (32 - 8 * size_of::<D>());
-        let slope = nearest_quotient(gain, line.steps());
+        let steps = line.steps();
+        let (slope, _) = divided(gain + u64::from(steps >> 1), steps);
         // Not more than the gain, which has 32 bits.
         Self {
             slope: slope as u32,
@@ -83,31 +84,89 @@ impl<D: DepthWidth> DepthLine<D> {
         from.x.abs_diff(pixel.x).max(from.y.abs_diff(pixel.y))
     }
 
-    /// The depth after some steps.
-    fn depth_at(&self, step: u32) -> D {
+    /// The depth of a line of which so much of the gain is behind.
+    fn depth_after(&self, gained: u32) -> D {
         let [from, to]: [u32; 2] = self.depths.map(Into::into);
-        // At most (2^32 - 1)^2 and half of 2^32 more. The quotient is at most the gain.
-        let gained = nearest_quotient(u64::from(self.gain()) * u64::from(step), self.steps()) as u32;
         let depth = if to < from { from - gained } else { from + gained };
         D::from_interpolated(depth << (32 - 8 * size_of::<D>()))
     }
 }
 
-/// A quotient to the nearest, halves up; the dividend where the divisor is 0.
-fn nearest_quotient(dividend: u64, divisor: u32) -> u64 {
-    let dividend = dividend + u64::from(divisor >> 1);
-    match (u32::try_from(dividend), core::num::NonZeroU32::new(divisor)) {
+/// How much of the gain of a line in depth is behind after some of its steps, to the nearest, halves up: stepped from pixel to
+/// pixel by quotient and remainder (Field 1985).
+#[derive(Debug, Copy, Clone)]
+struct Gained {
+    /// The steps from the first pixel of the line.
+    step: u32,
+    /// What is gained, and the remainder of the division by all steps.
+    gained: u32,
+    rest: u32,
+    /// What a step adds to both, and all steps.
+    per_step: u32,
+    rest_per_step: u32,
+    steps: u32,
+}
+
+impl Gained {
+    /// Two divisions.
+    fn at<D: DepthWidth>(line: &DepthLine<D>, step: u32) -> Self {
+        let (gain, steps) = (line.gain(), line.steps());
+        // At most (2^32 - 1)^2 and half of 2^32 more; the quotient is at most the gain.
+        let (gained, rest) = divided(u64::from(gain) * u64::from(step) + u64::from(steps >> 1), steps);
+        let (per_step, rest_per_step) = divided(gain.into(), steps);
+        Self {
+            step,
+            gained: gained as u32,
+            rest,
+            per_step: per_step as u32,
+            rest_per_step,
+            steps,
+        }
+    }
+
+    /// Goes to the pixel after the present one or before it: additions only.
+    #[inline]
+    fn go_to(&mut self, step: u32) {
+        if step > self.step {
+            self.gained += self.per_step;
+            // Both are below `steps`, which is at most 2^32 - 1.
+            let room = self.steps - self.rest;
+            if self.rest_per_step >= room {
+                self.gained += 1;
+                self.rest = self.rest_per_step - room;
+            } else {
+                self.rest += self.rest_per_step;
+            }
+        } else if step < self.step {
+            self.gained -= self.per_step;
+            if self.rest < self.rest_per_step {
+                self.gained -= 1;
+                self.rest += self.steps - self.rest_per_step;
+            } else {
+                self.rest -= self.rest_per_step;
+            }
+        }
+        self.step = step;
+    }
+}
+
+/// A quotient and its remainder; the dividend and 0 where the divisor is 0.
+fn divided(dividend: u64, divisor: u32) -> (u64, u32) {
+    match (u32::try_from(dividend), NonZeroU32::new(divisor)) {
         // Most often: 32 bits are divided by an instruction.
-        (Ok(dividend), Some(divisor)) => (dividend / divisor).into(),
-        _ => dividend / NonZeroU64::new(divisor.into()).unwrap_or(NonZeroU64::MIN),
+        (Ok(dividend), Some(divisor)) => ((dividend / divisor).into(), dividend % divisor),
+        _ => {
+            let divisor = NonZeroU64::new(divisor.into()).unwrap_or(NonZeroU64::MIN);
+            (dividend / divisor, (dividend % divisor) as u32)
+        }
     }
 }
 
 impl<C: BandColor, O: Order, D: DepthWidth> DepthRow<'_, C, O, D> {
     /// Draws the pixels of a line that are in the row and pass the test of their depths, in any order of rows.
     ///
-    /// Cost: two comparisons where the line does not cross the row; otherwise a division for where it enters and one for each
-    /// pixel.
+    /// Cost: two comparisons where the line does not cross the row; otherwise three divisions for where it enters, and additions
+    /// for each pixel.
     #[inline]
     pub fn draw_line(&mut self, line: &DepthLine<D>, color: C, state: &DepthState<D>) {
         let [from, to] = line.ends;
@@ -137,12 +196,16 @@ impl<C: BandColor, O: Order, D: DepthWidth> DepthRow<'_, C, O, D> {
 
     /// Draws the pixels of a line that are in the row.
     fn draw_steps(&mut self, line: &DepthLine<D>, steps: &LineSteps, word: C::Word, test: &DepthTest) {
+        let mut gained: Option<Gained> = None;
         for pixel in *steps {
             let column = (pixel.x - self.left) as usize;
             let (Some(shown), Some(stored)) = (self.words.get_mut(column), self.depths.get_mut(column)) else {
                 return;
             };
-            let depth = test.depth(line.depth_at(line.step_of(pixel)));
+            let step = line.step_of(pixel);
+            let gained = gained.get_or_insert_with(|| Gained::at(line, step));
+            gained.go_to(step);
+            let depth = test.depth(line.depth_after(gained.gained));
             if test.passes(depth, *stored) {
                 *shown = word;
                 if Test::<D>::writes(test) {

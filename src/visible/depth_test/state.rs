@@ -161,7 +161,7 @@ impl DepthTest {
 
     #[inline(never)]
     fn mapped<D: DepthWidth>(&self, depth: D) -> D {
-        let gained = evenly::<D>(u64::from(depth.into()) * self.gain.unsigned_abs()) as i64;
+        let gained = i64::from(evenly::<D>(depth.into(), self.gain.unsigned_abs() as u32));
         let mapped = self.farthest + if self.gain < 0 { -gained } else { gained };
         let nearest = self.farthest + self.gain;
         let (least, greatest) = (self.farthest.min(nearest).max(1), self.farthest.max(nearest).max(1));
@@ -176,12 +176,19 @@ const fn bits<D>() -> u32 {
     8 * size_of::<D>() as u32
 }
 
-/// Divides a product of two stored depths by the greatest depth, to the nearest: no halves, because that is odd.
-fn evenly<D: DepthWidth>(product: u64) -> u64 {
+/// The product of two stored depths, divided by the greatest depth, to the nearest: no halves, because that is odd. In 32 bits
+/// where depths have 16.
+fn evenly<D: DepthWidth>(one: u32, other: u32) -> u32 {
     // For k * (2^b - 1) + r with k < 2^b the sum is k * 2^b + something below 2^b (Blinn 1994, "Three Wrongs Make a Right").
-    // At most 2^64 - 2^33 + 1 before, and less than 2^33 are added.
-    let product = product + u64::from(D::NEAREST.into() >> 1);
-    (product + 1 + (product >> bits::<D>())) >> bits::<D>()
+    // At most 2^2b - 2^(b + 1) + 1 before, and less than 2^(b + 1) are added.
+    let half = D::NEAREST.into() >> 1;
+    if bits::<D>() == 16 {
+        let product = one * other + half;
+        (product + 1 + (product >> 16)) >> 16
+    } else {
+        let product = u64::from(one) * u64::from(other) + u64::from(half);
+        ((product + 1 + (product >> 32)) >> 32) as u32
+    }
 }
 
 /// A slope in a range of depths that has another width than all depths.
