@@ -47,13 +47,13 @@ const fn method(name: &'static str, title: &'static str, most: [usize; 2]) -> Hi
 }
 
 impl HiddenSurfaces {
-    /// Whether it is counted with so many faces in one layer or two.
+    /// Whether the method is counted with a number of faces that lie in one layer or two.
     pub const fn draws_faces(&self, faces: usize) -> bool {
         let [most, _] = self.most;
         faces <= most
     }
 
-    /// Whether it is counted with so many layers of two faces each.
+    /// Whether the method is counted with a number of layers, each of which has two faces.
     pub const fn draws_layers(&self, layers: usize) -> bool {
         let [_, most] = self.most;
         layers <= most

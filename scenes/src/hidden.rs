@@ -23,7 +23,7 @@ pub const MOST_VERTICES: usize = 2_500;
 /// How the faces of two spheres are counted: segments around each sphere, and bands from pole to pole.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Spheres {
-    /// How many faces both spheres have, 4 * `segments` * (`bands` - 1).
+    /// The number of faces of both spheres together: four for each segment and each ring of vertices between the poles.
     pub faces: usize,
     segments: u16,
     bands: u16,
@@ -39,7 +39,7 @@ pub const SPHERES: [Spheres; 6] = [
     spheres(48, 27),
 ];
 
-/// How many walls stand one behind the other.
+/// The numbers of walls, one behind the other, of the scenes that [`HiddenFaces::set_layers`] makes.
 pub const LAYERS: [usize; 5] = [1, 2, 4, 8, 16];
 
 const fn spheres(segments: u16, bands: u16) -> Spheres {

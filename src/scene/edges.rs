@@ -86,22 +86,6 @@ pub(super) fn edges<'t, 'm, L: Look>(
     })
 }
 
-/// The edges of a model at which no face is seen and one at least is turned away, of those of a table and in its order: where
-/// solids are closed, they are hidden. Smooth edges are none of them.
-pub(super) fn edges_turned_away<'t, 'm, L: Look>(
-    vertices: &'t [ScreenVertexOf<L>],
-    models: &'t [Model<'m, L::Shading>],
-    camera: &'t Camera,
-    model: usize,
-    edges: &'t [Edge],
-) -> impl Iterator<Item = ScreenEdge<L::Precision, L::Depth>> + use<'t, 'm, L> {
-    let on_screen = ModelOnScreen::<L>::new(vertices, models, camera, model);
-    on_screen.into_iter().flat_map(move |model| {
-        let edges = edges.iter().enumerate();
-        edges.filter_map(move |(index, edge)| model.edge_turned_away(index, edge))
-    })
-}
-
 /// A model of a prepared frame of which something may be seen.
 #[derive(Copy, Clone)]
 pub(super) struct ModelOnScreen<'t, 'm, L: Look> {
@@ -155,8 +139,9 @@ impl<'t, 'm, L: Look> ModelOnScreen<'t, 'm, L> {
         })
     }
 
-    /// An edge on the screen, if no face at it is seen and one is turned away.
-    fn edge_turned_away(&self, index: usize, edge: &Edge) -> Option<ScreenEdge<L::Precision, L::Depth>> {
+    /// An edge on the screen, if no face at it is seen and one at least is turned away: where solids are closed, it is hidden. No
+    /// smooth edge is one.
+    pub(super) fn edge_turned_away(&self, index: usize, edge: &Edge) -> Option<ScreenEdge<L::Precision, L::Depth>> {
         let [one, other] = edge.faces().map(|face| self.side(face));
         let is_smooth = matches!(edge.kind(), EdgeKind::Smooth);
         if L::DRAWS_BACKS || is_smooth || one > 0 || other > 0 || one + other == 0 {

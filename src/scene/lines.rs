@@ -8,7 +8,7 @@ use crate::{
         Look, Model,
         clipping::side_in_eye_space,
         culling::is_left_out,
-        edges,
+        edges::{self, ModelOnScreen},
         faces::{Corner, find},
         frame::{FRAGMENT_VERTICES, corners},
         lens::ScreenVertexOf,
@@ -84,7 +84,12 @@ impl<'m, L: Look> Lines<'_, 'm, L> {
     /// Hands over the edges at which all faces are turned away, each as one hidden part.
     pub(super) fn hand_over_turned_away(&self, part: &mut impl FnMut(LinePart<L::Precision>)) {
         for (model, table) in self.edges.iter().enumerate() {
-            for edge in edges::edges_turned_away::<L>(self.vertices, self.models, self.camera, model, table) {
+            let on_screen = ModelOnScreen::<L>::new(self.vertices, self.models, self.camera, model);
+            let edges = on_screen.into_iter().flat_map(|model| {
+                let edges = table.iter().enumerate();
+                edges.filter_map(move |(index, edge)| model.edge_turned_away(index, edge))
+            });
+            for edge in edges {
                 let [from, to] = edge.ends.map(|end| end.point);
                 if from == to {
                     continue;

@@ -22,7 +22,7 @@ use crate::{
     paint::{TITLE_COLOR, label, rgb},
     standard::{NEAR, model},
     teapot::TEAPOT,
-    visibility::solids::OCTAHEDRON_FACES,
+    visibility::{panel::caption, solids::OCTAHEDRON_FACES},
 };
 
 const R: i16 = 700;
@@ -62,7 +62,7 @@ edges!(CUBE_EDGES: CUBE, "0.866");
 edges!(OCTAHEDRON_EDGES: OCTAHEDRON, "0.866");
 edges!(WIRE_EDGES: TORUS_AND_CUBE, "0.999");
 
-/// Where the drawings are.
+/// The parts of the page in which the three drawings are: the teapot, the solids, the wireframe.
 const AREAS: [Rectangle; 3] = [
     Rectangle::new(Point::new(6, 22), Size::new(256, 190)),
     Rectangle::new(Point::new(268, 22), Size::new(180, 190)),
@@ -206,27 +206,11 @@ impl Prepared for HiddenLineDrawings {
                     draw_line(band, part.ends, color_of(part));
                 }
             }
-            let under = area.top_left + Point::new(0, area.size.height as i32 + 3);
-            let lines = [
-                (method, TITLE_COLOR),
-                (about, CAPTION),
-                (drawing.counted.as_str(), CAPTION),
-            ];
-            for ((text, color), line) in lines.into_iter().zip(0..) {
-                label(
-                    band,
-                    text,
-                    under + Point::new(0, 9 * line),
-                    Alignment::Left,
-                    &FONT_5X8,
-                    color,
-                );
-            }
+            let below = area.top_left + Point::new(0, area.size.height as i32);
+            caption(band, below, [method, about, drawing.counted.as_str()]);
         }
     }
 }
-
-const CAPTION: Rgb565 = rgb(150, 165, 190);
 
 fn color_of(part: &Part) -> Rgb565 {
     match part.kind {

@@ -34,7 +34,7 @@ pub enum Line {
     Dark,
     /// Bright, for what the panel is about.
     Bright,
-    /// What did not go the plain way.
+    /// Red, for what a method has to do seldom: a split of the painter's.
     Special,
 }
 
@@ -134,22 +134,17 @@ impl Panel {
             let at = position + Point::new(x * CELL as i32, y * CELL as i32) / 2;
             draw_number(band, at, *number);
         }
-        let under = position + Point::new(0, PICTURE.height as i32 + 3);
-        let lines = [
-            (self.name, TITLE_COLOR),
-            (self.counted.as_str(), LABEL_COLOR),
-            (self.about, LABEL_COLOR),
-        ];
-        for ((text, color), line) in lines.into_iter().zip(0..) {
-            label(
-                band,
-                text,
-                under + Point::new(0, 9 * line),
-                Alignment::Left,
-                &FONT_5X8,
-                color,
-            );
-        }
+        let under = position + Point::new(0, PICTURE.height as i32);
+        caption(band, under, [self.name, self.counted.as_str(), self.about]);
+    }
+}
+
+/// Draws the three lines of a caption below a picture, given the picture's lower left corner. The first one is the name.
+pub fn caption<O: Order>(band: &mut Band<'_, Rgb565, O>, below: Point, [name, second, third]: [&str; 3]) {
+    let lines = [(name, TITLE_COLOR), (second, LABEL_COLOR), (third, LABEL_COLOR)];
+    for ((text, color), line) in lines.into_iter().zip(0..) {
+        let position = below + Point::new(0, 3 + 9 * line);
+        label(band, text, position, Alignment::Left, &FONT_5X8, color);
     }
 }
 

@@ -29,9 +29,11 @@ use crate::{
 /// Frames that show the whole picture at the end.
 const PAUSE: u32 = 10;
 const FRAMES: u32 = ROWS as u32 + PAUSE;
-/// Where the picture is, the depths of the row, and the active list.
+/// The upper left corner of the picture on the page.
 const PICTURE: Point = Point::new(8, 18);
+/// The part of the page in which the depths of the row are drawn.
 const DEPTHS: Rectangle = Rectangle::new(Point::new(8, 186), Size::new(COLUMNS as u32 * CELL, 44));
+/// The upper left corner of the active list on the page.
 const LIST: Point = Point::new(222, 18);
 /// From an entry of the list to the next one.
 const ENTRY: i32 = 8;
@@ -65,7 +67,7 @@ struct Active {
     face: usize,
     /// Its corners on the page.
     corners: [Point; 3],
-    /// Where the row enters it and leaves it: the column in 1/16 pixel, and the depth.
+    /// The two ends of the face's span in the row, each with its column in 1/16 pixel and its depth.
     ends: [[i32; 2]; 2],
 }
 
