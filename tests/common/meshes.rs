@@ -132,3 +132,8 @@ pub fn icosphere(radius: f64) -> Mesh {
         .collect();
     Mesh { vertices, faces }
 }
+
+/// The meshes of the three standard scenes.
+pub fn standard_scenes() -> [Vec<Mesh>; 3] {
+    [vec![torus(), cube(0.5)], vec![icosphere(1.4)], vec![cube(1.0)]]
+}

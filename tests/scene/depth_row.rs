@@ -31,11 +31,7 @@ fn standard<S: Format<D>, D: DepthWidth>(meshes: Vec<Mesh>) -> usize {
 }
 
 fn standard_scenes<S: Format<D>, D: DepthWidth>() -> [usize; 3] {
-    [
-        standard::<S, D>(vec![meshes::torus(), meshes::cube(0.5)]),
-        standard::<S, D>(vec![meshes::icosphere(1.4)]),
-        standard::<S, D>(vec![meshes::cube(1.0)]),
-    ]
+    meshes::standard_scenes().map(standard::<S, D>)
 }
 
 #[test]

@@ -36,11 +36,7 @@ fn off_screen(model: usize, beyond: OutsideOf) -> InputError {
 #[test]
 fn the_standard_scenes_look_the_same() {
     fn check<S: Format<D>, D: DepthWidth>() {
-        let scenes = [
-            vec![meshes::torus(), meshes::cube(0.5)],
-            vec![meshes::icosphere(1.4)],
-            vec![meshes::cube(1.0)],
-        ];
+        let scenes = meshes::standard_scenes();
         let (mut cutting, mut whole) = (Box::new(Clipping::<S, D>::new()), Box::new(Whole::<S, D>::new()));
         let area = area(128, 64);
         for scene in scenes.map(Scene::new) {

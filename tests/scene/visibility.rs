@@ -200,11 +200,7 @@ fn standard_scenes_by_all_methods() {
     let frames = if is_deep() { 16 } else { 3 };
     for frame in 0..frames {
         let pose = standard_pose(frame * 5 + 1);
-        for meshes in [
-            vec![meshes::torus(), meshes::cube(0.5)],
-            vec![meshes::icosphere(1.4)],
-            vec![meshes::cube(1.0)],
-        ] {
+        for meshes in meshes::standard_scenes() {
             assert!(check_formats(meshes, pose) > 250, "frame {frame}");
         }
     }

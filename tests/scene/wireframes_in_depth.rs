@@ -183,11 +183,7 @@ fn wireframes_over_their_own_faces_miss_no_pixel() {
     let frames = if is_deep() { 16 } else { 1 };
     for frame in 0..frames {
         let pose = standard_pose(frame * 5 + 1);
-        for meshes in [
-            vec![meshes::torus(), meshes::cube(0.5)],
-            vec![meshes::icosphere(1.4)],
-            vec![meshes::cube(1.0)],
-        ] {
+        for meshes in meshes::standard_scenes() {
             let counts = in_all_formats(&meshes, pose);
             assert!(counts.seen > 600 && counts.hidden_without_offset > 20, "{counts:?}");
         }
