@@ -6,7 +6,7 @@ use crate::{
     families::{
         band, clip, coverage, depth_state,
         draw::{antialiased, closed, fills, lines, outline_texts, pictures, polygons, strokes, styles, texts},
-        geometry, mesh, planted,
+        geometry, hidden_lines, mesh, planted,
         scan::{circles, curves, fills as scan_fills, lines as scan_lines},
         scene, shade, shading, space, surface, view, visible,
     },
@@ -84,7 +84,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<scene::ModelCase>("scene.model", &["scene"]),
     Target::new::<shading::ShadingCase>("scene.shading", &["scene", "shade"]),
     Target::new::<visible::VisibilityCase>("visible.methods", &["visible"]),
-    Target::new::<visible::RobertsCase>("visible.roberts", &["visible"]),
+    Target::new::<hidden_lines::HiddenLinesCase>("visible.lines", &["visible"]),
     Target::new::<depth_state::DepthStateCase>("visible.depth_state", &["scene", "visible"]),
     Target::new::<scene::DepthCase>("visible.depth", &["scene"]),
     Target::new::<scene::AtDepthCase>("visible.at_depth", &["scene"]),

@@ -21,7 +21,7 @@ use zrow::{
 use zrow_methods::LookOf;
 
 use crate::{
-    families::scene::{AnyScene, Kind, Large, colors, models},
+    families::scene::{AnyScene, Kind, Large, case_of_each_kind, colors, models},
     picture::{Canvas, is_same, sure},
     target::{Case, Verdict},
     values::{Int, List, Spot},
@@ -152,13 +152,4 @@ impl DepthStateCase {
     }
 }
 
-impl Case for DepthStateCase {
-    fn check(&self) -> Verdict {
-        match self.kind {
-            Kind::CoarseNarrow => self.check_kind::<Sub4, u16>(),
-            Kind::CoarseWide => self.check_kind::<Sub4, u32>(),
-            Kind::FineNarrow => self.check_kind::<Sub8, u16>(),
-            Kind::FineWide => self.check_kind::<Sub8, u32>(),
-        }
-    }
-}
+case_of_each_kind!(DepthStateCase);

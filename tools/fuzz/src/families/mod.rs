@@ -6,6 +6,7 @@ pub mod coverage;
 pub mod depth_state;
 pub mod draw;
 pub mod geometry;
+pub mod hidden_lines;
 pub mod mesh;
 pub mod planted;
 pub mod scan;

@@ -18,7 +18,8 @@ use zrow::{
     draw::{Picture, PictureSlot},
     geometry::{InputError, Sub4, Sub8, TooSmall, Window},
     scene::{
-        Camera, DepthWidth, Edge as SceneEdge, FaceSet, Memory, Model, Pose, Rotation, SceneItem, ScreenPrecision,
+        Camera, DepthWidth, Edge as SceneEdge, FaceSet, Memory, Model, Pose, Prepared, Rotation, SceneItem,
+        ScreenPrecision,
     },
 };
 use zrow_methods::LookOf;
@@ -177,6 +178,24 @@ impl AnyScene {
     pub fn meshes(&self) -> Vec<Mesh> {
         self.models.0.iter().map(AnyModel::mesh).collect()
     }
+
+    /// Checks the prepared scene, with its camera and its models. What cannot be prepared is right: errors are `FrameCase`'s.
+    pub fn with_prepared<S: ScreenPrecision, D: DepthWidth>(
+        &self,
+        check: impl FnOnce(&Camera, &[Model<'_, Rgb565>], Prepared<'_, '_, LookOf<Rgb565, S, D, true>>) -> Verdict,
+    ) -> Verdict {
+        let Some(camera) = self.camera() else {
+            return Ok(());
+        };
+        let meshes = self.meshes();
+        let colors = colors(&meshes);
+        let models = models(&meshes, &colors)?;
+        let mut frame = Large::<S, D, true>::new();
+        match frame.prepare(&camera, &models) {
+            Ok(prepared) => check(&camera, &models, prepared),
+            Err(_) => Ok(()),
+        }
+    }
 }
 
 impl Mesh {
@@ -246,6 +265,23 @@ pub enum Kind {
     FineNarrow,
     FineWide,
 }
+
+/// A case that is checked with the precision and the width of depths of its `kind`.
+macro_rules! case_of_each_kind {
+    ($case:ty) => {
+        impl Case for $case {
+            fn check(&self) -> Verdict {
+                match self.kind {
+                    Kind::CoarseNarrow => self.check_kind::<Sub4, u16>(),
+                    Kind::CoarseWide => self.check_kind::<Sub4, u32>(),
+                    Kind::FineNarrow => self.check_kind::<Sub8, u16>(),
+                    Kind::FineWide => self.check_kind::<Sub8, u32>(),
+                }
+            }
+        }
+    };
+}
+pub(crate) use case_of_each_kind;
 
 /// A picture and whether depths were used for it in every row.
 fn draw<S, D, const CUTS: bool, O>(
@@ -437,16 +473,7 @@ impl FrameCase {
     }
 }
 
-impl Case for FrameCase {
-    fn check(&self) -> Verdict {
-        match self.kind {
-            Kind::CoarseNarrow => self.check_kind::<Sub4, u16>(),
-            Kind::CoarseWide => self.check_kind::<Sub4, u32>(),
-            Kind::FineNarrow => self.check_kind::<Sub8, u16>(),
-            Kind::FineWide => self.check_kind::<Sub8, u32>(),
-        }
-    }
-}
+case_of_each_kind!(FrameCase);
 
 /// What is seen in a pixel is the nearest face there, each drawn by itself; of equally near ones the first.
 #[derive(Debug, Arbitrary)]
