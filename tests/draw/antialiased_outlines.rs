@@ -202,7 +202,7 @@ fn words_of<'s>(shapes: impl IntoIterator<Item = &'s Shape>) -> usize {
 }
 
 proptest! {
-    #![proptest_config(config(cases(250, 5_000)))]
+    #![proptest_config(config(cases(250, 2_000)))]
 
     /// All that has coverage is in the box, and the box has nothing to spare but for corners of pixels that an edge
     /// passes.

@@ -193,7 +193,7 @@ fn drawn(items: &[Item]) -> Vec<u16> {
 }
 
 proptest! {
-    #![proptest_config(config(cases(150, 3_000)))]
+    #![proptest_config(config(cases(150, 1_500)))]
 
     #[test]
     fn pictures_show_what_is_drawn_without_them(

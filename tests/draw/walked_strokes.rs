@@ -121,7 +121,7 @@ pub fn vertices() -> impl Strategy<Value = Point> + Clone {
 }
 
 proptest! {
-    #![proptest_config(config(cases(150, 3_000)))]
+    #![proptest_config(config(cases(150, 1_500)))]
 
     #[test]
     fn strokes_of_polygons_are_those_that_are_drawn_anew(contours in contour_items(vertices(), styles())) {

@@ -84,7 +84,7 @@ fn any_map() -> impl Strategy<Value = Affine> {
 }
 
 proptest! {
-    #![proptest_config(config(cases(2_000, 1_000_000)))]
+    #![proptest_config(config(cases(2_000, 300_000)))]
 
     #[test]
     fn composition_is_that_of_exact_integers(first in any_map(), next in any_map()) {

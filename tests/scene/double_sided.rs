@@ -202,7 +202,7 @@ fn two_sides_are_two_faces() {
 }
 
 proptest! {
-    #![proptest_config(config(cases(200, 10_000)))]
+    #![proptest_config(config(cases(200, 4_000)))]
 
     /// What varies over a face does so over its back: each corner has its own attributes.
     #[test]

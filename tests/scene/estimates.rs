@@ -354,7 +354,7 @@ fn check<'a, L: Look<Color: RgbColor>>(mesh: &'a Mesh, skin: <L::Shading as Shad
 }
 
 proptest! {
-    #![proptest_config(config(cases(12, 200)))]
+    #![proptest_config(config(cases(12, 80)))]
 
     #[test]
     fn any_scene_is_predicted(mesh in any_mesh(), translation in prop::array::uniform3(-2_000i32..2_000), turn: u16) {

@@ -626,7 +626,7 @@ fn solid() -> BoxedStrategy<Mesh> {
 }
 
 proptest! {
-    #![proptest_config(config(cases(12, 100)))]
+    #![proptest_config(config(cases(12, 50)))]
 
     #[test]
     fn convex_solids_at_random(

@@ -136,7 +136,7 @@ fn samples_show_the_nearest_face() {
 }
 
 proptest! {
-    #![proptest_config(config(cases(24, 2_000)))]
+    #![proptest_config(config(cases(24, 1_000)))]
 
     /// Faces that go through each other, some of them cut, some of them slivers.
     #[test]
