@@ -151,9 +151,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 self.rows_without_depth += 1;
                 return;
             }
-            if self.attempts_left == 0 {
-                self.back_off_frames = BACK_OFF_FRAMES;
-            }
+            self.give_up_order();
             // The pixels that were filled are drawn again.
             self.enter(faces, row.y, true);
         }
@@ -181,6 +179,14 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         }
     }
 
+    /// Takes note that spans in the order of columns overlapped: after the last attempt the next frames do without that order.
+    #[inline]
+    pub(super) fn give_up_order(&mut self) {
+        if self.attempts_left == 0 {
+            self.back_off_frames = BACK_OFF_FRAMES;
+        }
+    }
+
     /// Whether a row is the one that comes next.
     #[inline]
     pub(crate) fn is_at<C: BandColor, O: Order, D: DepthWidth>(&self, row: &DepthRow<'_, C, O, D>) -> bool {
@@ -190,6 +196,16 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// The faces of all slots in use, one after the other.
     pub(super) fn in_use(&self) -> &[ActiveFace<S, H>] {
         self.slots.get(..usize::from(self.used)).unwrap_or_default()
+    }
+
+    /// The faces in the order of columns, while they are [disjoint](Self::is_disjoint).
+    pub(super) fn in_order(&self) -> impl Iterator<Item = &ActiveFace<S, H>> {
+        let mut slot = self.first;
+        core::iter::from_fn(move || {
+            let face = self.slots.get(usize::from(slot))?;
+            slot = face.next();
+            Some(face)
+        })
     }
 
     /// Takes all faces to the row below a row, and gives the slots of those free that have ended.
@@ -371,7 +387,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
     /// the next row, and drops those that have ended.
     // Not inlined: the other loop needs every register.
     #[inline(never)]
-    fn fill_spans<O, D>(&mut self, faces: &impl FaceTable<S, D, H>, row: &mut DepthRow<'_, H::Color, O, D>) -> bool
+    pub(super) fn fill_spans<O, D>(
+        &mut self,
+        faces: &impl FaceTable<S, D, H>,
+        row: &mut DepthRow<'_, H::Color, O, D>,
+    ) -> bool
     where
         O: Order,
         D: DepthWidth,

@@ -28,6 +28,13 @@ pub trait Painter<S: ScreenPrecision, H: Shading> {
     /// [`span`](Self::span) does.
     fn span_of_active(&mut self, _slot: u16, _row: i32, _columns: [i32; 2]) {}
 
+    /// Takes the spans of all faces of the [active](Self::active) list, which are in a row and in the order of columns, and steps
+    /// the faces to the next row. `false` where two of them have a column in common, or such rows are not taken: some spans may
+    /// have been taken then, and the list has to be entered anew.
+    fn disjoint_row(&mut self, _row: i32) -> bool {
+        false
+    }
+
     /// Takes note of the work that a method does. Ignored where nobody wants to know: nothing is computed then.
     fn report(&mut self, _work: impl FnOnce() -> Work) {}
 }
@@ -88,6 +95,16 @@ where
         if let Some(face) = self.active.in_use().get(usize::from(slot)) {
             self.target.shade(face, row, columns);
         }
+    }
+
+    fn disjoint_row(&mut self, row: i32) -> bool {
+        let BandRows {
+            faces,
+            window,
+            band,
+            depths,
+        } = &mut self.target;
+        DepthRow::new(band, window, row, depths).is_some_and(|mut row| self.active.fill_spans(*faces, &mut row))
     }
 }
 

@@ -83,6 +83,33 @@ where
         self.painter.span_of_active(slot, row, columns);
     }
 
+    fn disjoint_row(&mut self, row: i32) -> bool {
+        let Some(list) = self.painter.active() else {
+            return false;
+        };
+        // Nothing is reported of a row that is not taken.
+        let mut free_from = i32::MIN;
+        let are_disjoint = list.in_order().map(ActiveFace::span).all(|[start, end]| {
+            let is_right = start >= end || start >= free_from;
+            free_from = free_from.max(end);
+            is_right
+        });
+        if !are_disjoint {
+            return false;
+        }
+        let (left, width) = (self.window.left, self.window.width() as i32);
+        for face in list.in_order() {
+            let [start, end] = face.span().map(|column| column.max(0).min(width));
+            if start < end {
+                (self.report)(Work::Painted {
+                    face: self.faces.order(face.node).into(),
+                    span: Span::new(row, left + start, left + end),
+                });
+            }
+        }
+        self.painter.disjoint_row(row)
+    }
+
     fn report(&mut self, work: impl FnOnce() -> Work) {
         (self.report)(work());
     }

@@ -66,6 +66,33 @@ fn penetrating() -> Mesh {
 }
 
 #[test]
+fn a_convex_solid_is_painted_without_a_sort() {
+    let octahedron = Mesh::new(
+        [
+            [0, 500, 0],
+            [500, 0, 0],
+            [0, 0, 500],
+            [-500, 0, 0],
+            [0, 0, -500],
+            [0, -500, 0],
+        ]
+        .into(),
+        [1, 2, 3, 4]
+            .into_iter()
+            .flat_map(|side| {
+                let next = side % 4 + 1;
+                [[0, side, next], [5, next, side]]
+            })
+            .collect(),
+    );
+    let solid = counters::<8, 0>(vec![octahedron.clone()], standard_pose(7));
+    assert_eq!((solid.disjoint_rows, solid.pairs), (HEIGHT, 0));
+    // Seen from both sides each pixel has two faces, from the first rows of the solid on.
+    let sides = counters::<16, 0>(vec![octahedron.two_sided()], standard_pose(7));
+    assert!(sides.disjoint_rows < HEIGHT && sides.pairs > 0, "{sides:?}");
+}
+
+#[test]
 fn faces_in_a_cycle_are_split() {
     let with_parts = counters::<16, 16>(vec![cycle()], ahead(1200));
     assert!(with_parts.moves > 0 && with_parts.splits > 0, "{with_parts:?}");

@@ -28,6 +28,7 @@ pub fn all() -> Vec<Case> {
         .chain(crowds())
         .chain(squares())
         .chain(hidden_surfaces())
+        .chain(convex_solid())
         .chain(pictures())
         .chain(contours())
         .chain(instruments())
@@ -428,6 +429,26 @@ fn hidden_surfaces() -> impl Iterator<Item = Case> {
             source: Source::Count {
                 firmware: "hidden_surfaces",
                 count: "hidden_surfaces",
+                variant,
+                peer: Peer::None,
+            },
+        })
+    })
+}
+
+/// An icosphere, of which no face hides another, by the depth row and by the painter's algorithm, in one band.
+fn convex_solid() -> impl Iterator<Item = Case> {
+    let methods = [("row", "the depth row"), ("sort", "the painter's algorithm")];
+    [V7EM, V6M].into_iter().flat_map(move |target| {
+        methods.into_iter().map(move |(variant, method)| Case {
+            name: format!("convex_solid.{variant}"),
+            title: format!("icosphere in one band by {method}"),
+            target,
+            budget: None,
+            cycles_budget: None,
+            source: Source::Count {
+                firmware: "hidden_surfaces",
+                count: "convex_solid",
                 variant,
                 peer: Peer::None,
             },

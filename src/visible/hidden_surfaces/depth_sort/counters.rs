@@ -5,6 +5,8 @@
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct DepthSortCounters {
+    /// Rows that were painted without a sort, because no two faces had a column in common.
+    pub disjoint_rows: u32,
     /// Pairs of faces that were tested, because their depths overlap.
     pub pairs: u32,
     /// Pairs of which test A found that they have no column or no row of pixels in common.
@@ -29,6 +31,7 @@ pub struct DepthSortCounters {
 impl DepthSortCounters {
     /// Nothing was done.
     pub(super) const NONE: Self = Self {
+        disjoint_rows: 0,
         pairs: 0,
         extents_apart: 0,
         ordered_by_planes: 0,

@@ -42,6 +42,9 @@
 //! Where there is no room for conditions, the faces of a cycle are painted at once, each in the pixels in which no other one of
 //! them is in front of it. That takes no memory, but each row of each face is compared with all of the others.
 //!
+//! Before that, from the top of the window down to the first row in which two faces have a column in common, nothing is sorted:
+//! of a convex solid no face hides another.
+//!
 //! Guarantees: the picture of the depth row, whatever the capacity for parts. Cost: the sort, for each face a look at all others
 //! whose depths overlap its own (up to the square of their number), and each pixel of each face is painted, hidden or not.
 //!
@@ -49,6 +52,7 @@
 
 mod along_rows;
 mod counters;
+mod disjoint_rows;
 mod others;
 mod pairs;
 mod parts;
@@ -66,6 +70,8 @@ use crate::{
     visible::{face_table::FaceTable, hidden_surfaces::placed::for_each_node, painter::Painter, visibility::Method},
 };
 
+use counters::add;
+use disjoint_rows::paint_disjoint_rows;
 use pairs::Extents;
 use sort::{Sort, from_back};
 use waiting::{Condition, Waiting};
@@ -77,7 +83,7 @@ use waiting::{Condition, Waiting};
 /// conditions on parts of faces that wait, two for each face that is split once. With fewer of them, or none, the
 /// picture is the same; it takes longer where faces penetrate or overlap in a cycle.
 ///
-/// RAM: 2 bytes a face, 6 bytes a condition, 36 bytes of counters.
+/// RAM: 2 bytes a face, 6 bytes a condition, 40 bytes of counters.
 ///
 /// Source: Newell, Newell and Sancha 1972.
 #[derive(Debug)]
@@ -104,6 +110,30 @@ impl<const FACES: usize, const SPLITS: usize> DepthSort<FACES, SPLITS> {
     }
 }
 
+impl<const FACES: usize, const SPLITS: usize> DepthSort<FACES, SPLITS> {
+    /// Keeps the nodes of the faces that may cover pixels of a window, and returns how many they are.
+    fn collect<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+        &mut self,
+        faces: &impl FaceTable<S, D, H>,
+        window: &Window,
+    ) -> Result<usize, TooSmall> {
+        let mut count = 0;
+        for_each_node(faces, window, |node| {
+            if Extents::of(faces, node).is_some_and(|face| face.meets(window)) {
+                if let Some(slot) = self.nodes.get_mut(count) {
+                    *slot = node;
+                }
+                count += 1;
+            }
+        });
+        if count <= FACES {
+            Ok(count)
+        } else {
+            Err(TooSmall::Faces(count))
+        }
+    }
+}
+
 impl<const FACES: usize, const SPLITS: usize> Default for DepthSort<FACES, SPLITS> {
     fn default() -> Self {
         Self::new()
@@ -117,21 +147,24 @@ impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> Method<D> for Depth
         H: Shading,
         F: FaceTable<S, D, H>,
     {
-        let mut count = 0;
-        for_each_node(faces, window, |node| {
-            if Extents::of(faces, node).is_some_and(|face| face.meets(window)) {
-                if let Some(slot) = self.nodes.get_mut(count) {
-                    *slot = node;
-                }
-                count += 1;
-            }
-        });
-        let Some(nodes) = self.nodes.get_mut(..count) else {
-            return Err(TooSmall::Faces(count));
-        };
+        // Too many, perhaps, because not all of them meet the window.
+        let mut nodes = 0;
+        for_each_node(faces, window, |_| nodes += 1);
+        if nodes > FACES {
+            self.collect(faces, window)?;
+        }
+        let top = paint_disjoint_rows(faces, window, painter);
+        add(&mut self.counters.disjoint_rows, (top - window.top) as u32);
+        let rest = &Window { top, ..*window };
+        if rest.is_empty() {
+            return Ok(());
+        }
+        // No more faces than in the whole window, for which there is room.
+        let count = self.collect(faces, rest)?;
+        let nodes = self.nodes.get_mut(..count).unwrap_or_default();
         shell_sort(nodes, |node| from_back(faces, *node));
         let waiting = Waiting::new(&mut self.nodes, count, &mut self.conditions);
-        Sort::new(faces, window, waiting, &mut self.counters).paint_all(painter);
+        Sort::new(faces, rest, waiting, &mut self.counters).paint_all(painter);
         Ok(())
     }
 }

@@ -1,4 +1,5 @@
-//! Counts a torus and a cube at 128 x 64 in one band, prepared and drawn by each method of visibility.
+//! Counts a torus and a cube at 128 x 64 in one band, prepared and drawn by each method of visibility; and an icosphere, of which
+//! no face hides another, by the depth row and by the painter's algorithm.
 #![no_std]
 #![no_main]
 
@@ -8,7 +9,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::Band,
     scan::Polygons,
-    scene::Prepared,
+    scene::{Look, Prepared},
     visible::{
         DepthBuffer, DepthSort, GridRayCasting, OneDepth, RayCasting, SpanScanLine, TileBins, Visibility, Warnock,
     },
@@ -16,9 +17,10 @@ use zrow::{
 use zrow_measure_firmware::{
     report,
     run::{Canvas, Checksum, Runner},
-    standard::Sc1,
+    standard::Stage,
     stopwatch::Stopwatch,
 };
+use zrow_scenes::standard::{SmallSphere, SmallTorus, Subject};
 
 const PIXELS: usize = 128 * 64;
 const FACES: usize = 588;
@@ -26,15 +28,23 @@ const FACES: usize = 588;
 /// The frames that are counted. By one depth the last one alone, because that takes a hundred times longer.
 const FRAMES: [u32; 4] = [0, 16, 32, 48];
 
-/// The scene, and its picture.
-struct Picture {
-    scene: Sc1,
+/// A scene of up to `V` vertices and `F` faces, `A` of them in a row, and its picture.
+struct Picture<S, const V: usize, const F: usize, const A: usize> {
+    scene: Stage<S, Rgb565, V, F, A>,
     words: [u16; PIXELS],
 }
 
-impl Picture {
+/// A torus and a cube within it.
+type Torus = Picture<SmallTorus, 296, FACES, 60>;
+/// An icosphere.
+type Sphere = Picture<SmallSphere, 162, 320, 20>;
+
+impl<S, const V: usize, const F: usize, const A: usize> Picture<S, V, F, A>
+where
+    S: Subject<Shading = <Rgb565 as Look>::Shading>,
+{
     const EMPTY: Self = Self {
-        scene: Sc1::EMPTY,
+        scene: Stage::EMPTY,
         words: [0; PIXELS],
     };
 
@@ -45,9 +55,22 @@ impl Picture {
         self.scene.draw_whole(frame, &mut self.words, draw);
     }
 
+    /// Counts drawing by the depth row.
+    fn count_row(&mut self, runner: &mut Runner, name: &str) {
+        runner.count(name, "row", self, &FRAMES, |picture, &frame| {
+            picture.draw(frame, |prepared, band| prepared.draw(band));
+        });
+    }
+
     /// Counts drawing by a method, whose memory is enough.
-    fn count(&mut self, runner: &mut Runner, variant: &str, frames: &[u32], method: &mut impl Visibility<u16>) {
-        runner.count("hidden_surfaces", variant, self, frames, |picture, &frame| {
+    fn count(
+        &mut self,
+        runner: &mut Runner,
+        [name, variant]: [&str; 2],
+        frames: &[u32],
+        method: &mut impl Visibility<u16>,
+    ) {
+        runner.count(name, variant, self, frames, |picture, &frame| {
             picture.draw(frame, |prepared, band| {
                 if prepared.draw_by(method, band).is_err() {
                     report::exit(false)
@@ -57,7 +80,7 @@ impl Picture {
     }
 }
 
-impl Canvas for Picture {
+impl<S, const V: usize, const F: usize, const A: usize> Canvas for Picture<S, V, F, A> {
     fn erase(&mut self) {
         self.words.fill(0);
     }
@@ -72,7 +95,8 @@ impl Canvas for Picture {
 fn main() -> ! {
     let mut words = [0; 256];
     let wanted = report::wanted(&mut words);
-    let picture = cortex_m::singleton!(: Picture = Picture::EMPTY);
+    let picture = cortex_m::singleton!(: Torus = Torus::EMPTY);
+    let sphere = cortex_m::singleton!(: Sphere = Sphere::EMPTY);
     let buffer = cortex_m::singleton!(: DepthBuffer<u16, PIXELS> = DepthBuffer::new());
     let sort = cortex_m::singleton!(: DepthSort<FACES, 100> = DepthSort::new());
     let rays = cortex_m::singleton!(: RayCasting<FACES> = RayCasting::new());
@@ -80,7 +104,7 @@ fn main() -> ! {
     let spans = cortex_m::singleton!(: SpanScanLine<60> = SpanScanLine::new());
     let bins = cortex_m::singleton!(: TileBins<u16, 32, 2_000> = TileBins::new());
     let quarters = cortex_m::singleton!(: Warnock<FACES> = Warnock::new());
-    let (Some(peripherals), Some(picture)) = (Peripherals::take(), picture) else {
+    let (Some(peripherals), Some(picture), Some(sphere)) = (Peripherals::take(), picture, sphere) else {
         report::exit(false)
     };
     let (Some(buffer), Some(sort), Some(rays)) = (buffer, sort, rays) else {
@@ -90,21 +114,21 @@ fn main() -> ! {
         report::exit(false)
     };
     let mut runner = Runner::new(Stopwatch::new(peripherals.SYST), wanted);
-    runner.count("hidden_surfaces", "row", picture, &FRAMES, |picture, &frame| {
-        picture.draw(frame, |prepared, band| prepared.draw(band));
-    });
-    picture.count(&mut runner, "intervals", &FRAMES, spans);
-    picture.count(&mut runner, "buffer", &FRAMES, buffer);
-    picture.count(&mut runner, "bins", &FRAMES, bins);
-    picture.count(&mut runner, "sort", &FRAMES, sort);
-    picture.count(&mut runner, "quarters", &FRAMES, quarters);
-    picture.count(&mut runner, "rays", &FRAMES, rays);
-    picture.count(&mut runner, "grid", &FRAMES, grid);
+    picture.count_row(&mut runner, "hidden_surfaces");
+    picture.count(&mut runner, ["hidden_surfaces", "intervals"], &FRAMES, spans);
+    picture.count(&mut runner, ["hidden_surfaces", "buffer"], &FRAMES, buffer);
+    picture.count(&mut runner, ["hidden_surfaces", "bins"], &FRAMES, bins);
+    picture.count(&mut runner, ["hidden_surfaces", "sort"], &FRAMES, sort);
+    picture.count(&mut runner, ["hidden_surfaces", "quarters"], &FRAMES, quarters);
+    picture.count(&mut runner, ["hidden_surfaces", "rays"], &FRAMES, rays);
+    picture.count(&mut runner, ["hidden_surfaces", "grid"], &FRAMES, grid);
     picture.count(
         &mut runner,
-        "one",
+        ["hidden_surfaces", "one"],
         &FRAMES[3..],
         &mut OneDepth::new(Polygons::winding_number),
     );
+    sphere.count_row(&mut runner, "convex_solid");
+    sphere.count(&mut runner, ["convex_solid", "sort"], &FRAMES, sort);
     report::exit(true)
 }
