@@ -178,6 +178,7 @@
 //! The quantitative invisibility of a point is the number of faces in front of it. Along an edge it changes only where that passes
 //! behind a contour, a side of a face that is seen without such a face on its other side, or goes through a face. So a ray
 //! counts the faces in front of one vertex, and from there the number is carried along all edges that are connected with it.
+//! Lines in which faces penetrate each other are walked likewise, without the two faces that they lie in.
 //!
 //! ```text
 //!          +-----------+---+

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8, SubPixel, TooSmall},
     scene::{Camera, DepthWidth, Edge, EdgeKind, FaceSet, Look, Model, Pose, Prepared, Rotation, ScreenPrecision},
-    visible::{FaceAgainstSegment, HiddenLines, LinePart, PartKind},
+    visible::{Appel, FaceAgainstSegment, HiddenLines, LinePart, PartKind, Roberts},
 };
 
 use crate::common::meshes::{self, Mesh};
@@ -391,9 +391,23 @@ fn check_penetration(meshes: Vec<Mesh>, tables: &[&[Edge]], poses: &[Pose]) -> u
     let mut memory = Box::new(MemoryOf::<Sub4, u16>::new());
     let mut prepared = memory.prepare(&camera, &models).unwrap();
     let viewport = [0, 0, WIDTH as i32, HEIGHT as i32];
-    let mut method = FaceAgainstSegment::<1_000, 8, true>::new();
-    check(&prepared, tables, viewport, "penetration", &mut method);
-    let parts = parts_by(&prepared, tables, &mut method);
+    let mut by_segments = FaceAgainstSegment::<1_000, 8, true>::new();
+    let of_segments = check(&prepared, tables, viewport, "by segments", &mut by_segments);
+    let mut by_numbers = Appel::<2_000, 40, 4_000, true>::new();
+    let of_numbers = check(&prepared, tables, viewport, "by numbers", &mut by_numbers);
+    let mut by_solids = Roberts::<2, 1_200>::new();
+    let of_solids = check(&prepared, tables, viewport, "by solids", &mut by_solids);
+    // In pixels, as seen. Roberts compares the line with neither of its solids.
+    let [one, two, three] = [of_segments, of_numbers, of_solids].map(|lengths| lengths.intersections);
+    assert!(
+        (one - two).abs() < 1.0 + 0.02 * one && (two - three).abs() < 1.0 + 0.1 * two,
+        "{one} {two} {three}"
+    );
+    let all_parts = [
+        parts_by(&prepared, tables, &mut by_segments),
+        parts_by(&prepared, tables, &mut by_numbers),
+        parts_by(&prepared, tables, &mut by_solids),
+    ];
     let owners = picture(&mut prepared, area(WIDTH, HEIGHT));
     let reference = Reference::new(&prepared, viewport);
     let faces: Vec<_> = prepared.faces().collect();
@@ -422,22 +436,29 @@ fn check_penetration(meshes: Vec<Mesh>, tables: &[&[Edge]], poses: &[Pose]) -> u
         }
         found += 1;
         let middle = between(pixels[0], pixels[1], 0.5);
-        let nearest = parts
-            .iter()
-            .filter(|part| part.kind == PartKind::Intersection && !part.is_hidden)
-            .map(|part| {
-                let [from, to] = part.ends.map(|end| flat(point_of(&end)));
-                let square = length(from, to).powi(2);
-                let way = (middle[0] - from[0]) * (to[0] - from[0]) + (middle[1] - from[1]) * (to[1] - from[1]);
-                length(middle, between(from, to, (way / square).clamp(0.0, 1.0)))
-            });
-        let nearest = nearest.fold(f64::MAX, f64::min);
-        assert!(
-            nearest <= 16.0,
-            "the solids meet at {middle:?}, {nearest} units from any intersection"
-        );
+        for parts in &all_parts {
+            let nearest = nearest_intersection(parts, middle);
+            assert!(
+                nearest <= 16.0,
+                "the solids meet at {middle:?}, {nearest} units from any intersection"
+            );
+        }
     }
     found
+}
+
+/// How far a point is from the nearest visible part of an intersection, in units.
+fn nearest_intersection<S: ScreenPrecision>(parts: &[LinePart<S>], point: Point3) -> f64 {
+    let visible = parts
+        .iter()
+        .filter(|part| part.kind == PartKind::Intersection && !part.is_hidden);
+    let distances = visible.map(|part| {
+        let [from, to] = part.ends.map(|end| flat(point_of(&end)));
+        let square = length(from, to).powi(2);
+        let way = (point[0] - from[0]) * (to[0] - from[0]) + (point[1] - from[1]) * (to[1] - from[1]);
+        length(point, between(from, to, (way / square).clamp(0.0, 1.0)))
+    });
+    distances.fold(f64::MAX, f64::min)
 }
 
 #[test]

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8, SubPixel, SubPoint},
     scene::{Camera, DepthWidth, Edge, Look, Memory, Model, Pose, Prepared, Rotation, ScreenPrecision},
-    visible::{Appel, FaceAgainstSegment, LinePart},
+    visible::{Appel, FaceAgainstSegment, LinePart, PartKind},
 };
 
 use crate::common::meshes::{self, Mesh};
@@ -181,7 +181,42 @@ fn check<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], tables: &[&[
     assert!(carried.rays() <= carried.edges() && carried.edges() == by_rays.edges());
     assert_eq!(parts_by(&prepared, tables, &mut Appel::<40, 1, 30>::new()), found);
     assert_eq!(parts_by(&prepared, tables, &mut Appel::<3, 2, 1>::new()), found);
+    check_intersections(&prepared, tables, &found);
     check_depths(&prepared, tables, &found)
+}
+
+/// Intersections follow the edges, whatever room there is, and are those that face against segment hands over.
+fn check_intersections<L: Look>(
+    prepared: &Prepared<'_, '_, L>,
+    tables: &[&[Edge]],
+    of_edges: &[LinePart<L::Precision>],
+) {
+    let mut by_rays = Appel::<0, 0, 0, true>::new();
+    let parts = parts_by(prepared, tables, &mut by_rays);
+    assert_eq!(by_rays.rays(), by_rays.edges());
+    let mut carried = Appel::<2_000, 40, 4_000, true>::new();
+    assert_eq!(parts_by(prepared, tables, &mut carried), parts);
+    let (intersections, edges): (Vec<_>, Vec<_>) =
+        parts.into_iter().partition(|part| part.kind == PartKind::Intersection);
+    assert_eq!(edges, of_edges);
+    let mut by_segments = FaceAgainstSegment::<1_000, 8, true>::new();
+    let expected = parts_by(prepared, tables, &mut by_segments);
+    let expected: Vec<_> = expected
+        .into_iter()
+        .filter(|part| part.kind == PartKind::Intersection)
+        .collect();
+    let whole = |parts: &[LinePart<L::Precision>]| parts.iter().map(length).sum::<f64>();
+    let (length, of_segments) = (whole(&intersections), whole(&expected));
+    // Ends of parts are rounded.
+    let rounding = 1.5 * (intersections.len() + expected.len()) as f64;
+    assert!((length - of_segments).abs() <= rounding, "{length}, {of_segments}");
+    assert!(intersections.iter().all(|part| part.edge.is_none()));
+}
+
+/// The length of a part in units.
+fn length<S: ScreenPrecision>(part: &LinePart<S>) -> f64 {
+    let [from, to] = part.ends.map(|end| [end.x_units(), end.y_units()].map(f64::from));
+    (to[0] - from[0]).hypot(to[1] - from[1])
 }
 
 /// Draws meshes with every precision and width of depths.
@@ -200,8 +235,7 @@ fn check_formats(meshes: Vec<Mesh>, pose: Pose, edge: EdgeOf) -> [usize; 2] {
 fn hidden_lengths(parts: &[LinePart<Sub4>]) -> BTreeMap<(usize, Option<usize>), f64> {
     let mut lengths = BTreeMap::new();
     for part in parts {
-        let [from, to] = part.ends.map(|end| [end.x_units(), end.y_units()].map(f64::from));
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]) / 16.0;
+        let length = length(part) / 16.0;
         *lengths.entry((part.model, part.edge)).or_default() += if part.is_hidden { length } else { 0.0 };
     }
     lengths

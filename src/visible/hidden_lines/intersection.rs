@@ -55,8 +55,8 @@ where
     }
 }
 
-/// The line in which two faces penetrate each other.
-fn intersection_of<D: DepthWidth>(one: &LineFace, other: &LineFace) -> Option<PartedLine> {
+/// The line in which two faces penetrate each other; `None` where they do not, or are of one model and have a corner in common.
+pub(super) fn intersection_of<D: DepthWidth>(one: &LineFace, other: &LineFace) -> Option<PartedLine> {
     if one.model == other.model && one.corners.iter().any(|corner| other.corners.contains(corner)) {
         return None;
     }

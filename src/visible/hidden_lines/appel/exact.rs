@@ -60,6 +60,17 @@ impl Bounds {
         }
     }
 
+    /// Whether two bounds have a point in common.
+    const fn meets(&self, other: &Self) -> bool {
+        let (least, greatest) = (self.least, self.greatest);
+        least.x <= other.greatest.x
+            && other.least.x <= greatest.x
+            && least.y <= other.greatest.y
+            && other.least.y <= greatest.y
+            && least.depth <= other.greatest.depth
+            && other.least.depth <= greatest.depth
+    }
+
     /// Whether something within these bounds may lie in front of something within the others.
     fn may_hide(&self, hidden: &Self) -> bool {
         let (least, greatest) = (self.least, self.greatest);
@@ -181,6 +192,11 @@ impl Change {
             by: if enters { 1 } else { -1 },
         }
     }
+
+    /// What takes the change out of the number again.
+    pub(super) fn reversed(self) -> Self {
+        Self { by: -self.by, ..self }
+    }
 }
 
 impl Triangle {
@@ -199,6 +215,11 @@ impl Triangle {
     pub(super) fn sides(&self) -> [[LinePoint; 2]; 3] {
         let [a, b, c] = self.corners;
         [[a, b], [b, c], [c, a]]
+    }
+
+    /// Whether the face may have a point in common with another one.
+    pub(super) const fn meets(&self, other: &Self) -> bool {
+        self.bounds.meets(&other.bounds)
     }
 
     /// Whether the face lies in front of a point of an edge.

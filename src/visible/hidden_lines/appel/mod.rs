@@ -19,6 +19,10 @@
 //! faces. From there it is carried to the other end of the edge, and on along all edges that share one of the two vertices: most
 //! edges need no ray.
 //!
+//! Lines in which faces penetrate each other, if they are asked for, are walked as edges are. Such a line lies in two faces, and
+//! the rounding of its ends would let these hide it here and there. So they are taken out of the number again: what changes behind
+//! their sides, and where the line goes through them, is added once more with the other sign.
+//!
 //! Guarantees: an edge is hidden exactly where a face lies in front of it by more than a tolerance (2 units of depth, or 8 of depths
 //! with 24 bits), of edges and faces as they were snapped; in exact integers, with the ends of parts rounded to the nearest unit
 //! of the precision. What coincides on the screen is decided as if all edges were moved by a distance smaller than any, so that
@@ -27,8 +31,8 @@
 //!
 //! Cost: finding the contours takes a search among the sides without a partner for each side of a face; an edge takes a comparison
 //! of bounds with each contour and with each face, exact products for those that it meets, and a search among its changes for each
-//! of them; a ray takes as long as the faces of an edge. A torus with a cube in it, all sides of whose faces are edges: 4 rays for
-//! the 422 edges of which something may be seen.
+//! of them; a ray takes as long as the faces of an edge. Intersections take a comparison of bounds a pair of faces. A torus
+//! with a cube in it, all sides of whose faces are edges: 4 rays for the 422 edges of which something may be seen.
 //!
 //! Source: A. Appel, "The notion of quantitative invisibility and the machine rendering of solids", 1967.
 
@@ -48,6 +52,7 @@ use crate::{
             vertices::Vertex,
         },
         hiding::tolerance,
+        intersection::intersection_of,
         line_part::LinePart,
         line_table::{LineFace, LinePoint, LineTable},
         method::Method,
@@ -62,6 +67,10 @@ use crate::{
 /// steep faces of other models, it may show parts that [`FaceAgainstSegment`](crate::visible::FaceAgainstSegment) does not, or hide
 /// them: the tolerance in depth is the same for all faces.
 ///
+/// With `INTERSECTIONS`, the lines in which faces penetrate each other are handed over as well, after the edges. Two faces of
+/// one model that have a corner in common do not penetrate each other, nor do those that only touch. Neither of the two faces hides
+/// the line. It takes a comparison of bounds for each pair of faces, and no memory.
+///
 /// Memory: `24 * CONTOURS + 8 * CROSSINGS + 16 * VERTICES + 12` bytes. Any of the capacities may be 0: it takes longer then, and the
 /// parts are the same.
 ///
@@ -74,7 +83,12 @@ use crate::{
 /// When to take it: for many edges that are connected, as of a mesh with creases, where most faces have neighbours on all sides.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Appel<const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize> {
+pub struct Appel<
+    const CONTOURS: usize,
+    const CROSSINGS: usize,
+    const VERTICES: usize,
+    const INTERSECTIONS: bool = false,
+> {
     contours: [Side; CONTOURS],
     changes: [Change; CROSSINGS],
     vertices: [Vertex; VERTICES],
@@ -83,7 +97,9 @@ pub struct Appel<const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: 
     edges: u32,
 }
 
-impl<const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize> Appel<CONTOURS, CROSSINGS, VERTICES> {
+impl<const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize, const INTERSECTIONS: bool>
+    Appel<CONTOURS, CROSSINGS, VERTICES, INTERSECTIONS>
+{
     /// Memory in which nothing is known: all bits are zero.
     pub const fn new() -> Self {
         Self {
@@ -96,7 +112,7 @@ impl<const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize> Appel
         }
     }
 
-    /// How many rays were cast in the last frame: at the vertices to which no edge carried a number.
+    /// How many rays were cast in the last frame: at the vertices to which no line carried a number.
     pub const fn rays(&self) -> u32 {
         self.rays
     }
@@ -106,22 +122,22 @@ impl<const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize> Appel
         self.contours_kept
     }
 
-    /// How many edges were walked in the last frame.
+    /// How many lines were walked in the last frame: edges, and intersections.
     pub const fn edges(&self) -> u32 {
         self.edges
     }
 }
 
-impl<const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize> Default
-    for Appel<CONTOURS, CROSSINGS, VERTICES>
+impl<const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize, const INTERSECTIONS: bool> Default
+    for Appel<CONTOURS, CROSSINGS, VERTICES, INTERSECTIONS>
 {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<D: DepthWidth, const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize> Method<D>
-    for Appel<CONTOURS, CROSSINGS, VERTICES>
+impl<D: DepthWidth, const CONTOURS: usize, const CROSSINGS: usize, const VERTICES: usize, const INTERSECTIONS: bool>
+    Method<D> for Appel<CONTOURS, CROSSINGS, VERTICES, INTERSECTIONS>
 {
     fn visible_parts<S, T>(&mut self, table: &T, part: &mut impl FnMut(LinePart<S>)) -> Result<(), TooSmall>
     where
@@ -140,18 +156,13 @@ impl<D: DepthWidth, const CONTOURS: usize, const CROSSINGS: usize, const VERTICE
             changes: if CROSSINGS == 0 { &mut one } else { &mut self.changes },
             vertices: &mut self.vertices,
             rays: &mut self.rays,
+            edges: &mut self.edges,
         };
         for edge in table.edges() {
-            let raised = edge.ends.map(|end| LinePoint {
-                depth: end.depth + tolerance::<D>() as i32,
-                ..end
-            });
-            if let Some(segment) = Segment::new(raised) {
-                self.edges += 1;
-                let mut parts = Parts::new(PartedLine::of(&edge), part);
-                walk.along(&segment, |parameter, is_hidden| parts.until(parameter, is_hidden));
-                parts.finish();
-            }
+            walk.find_parts::<S, D>(PartedLine::of(&edge), &[], part);
+        }
+        if INTERSECTIONS {
+            for_each_penetration(table, |line, faces| walk.find_parts::<S, D>(line, &faces, part));
         }
         Ok(())
     }
@@ -163,31 +174,60 @@ struct Walk<'w, T> {
     changes: &'w mut [Change],
     vertices: &'w mut [Vertex],
     rays: &'w mut u32,
+    edges: &'w mut u32,
 }
 
 impl<T> Walk<'_, T> {
-    /// Walks along an edge. Says of each part up to a parameter, from the start on, whether it is hidden.
-    fn along<S: ScreenPrecision, D: DepthWidth>(&mut self, edge: &Segment, mut until: impl FnMut(u32, bool))
+    /// Hands over a line in parts, which some faces do not hide, because it lies in them.
+    fn find_parts<S, D>(&mut self, line: PartedLine, excepted: &[Triangle], part: &mut impl FnMut(LinePart<S>))
     where
+        S: ScreenPrecision,
+        D: DepthWidth,
         T: LineTable<S, D>,
     {
-        let mut changes = self.faces.changes(edge, self.changes, 0);
-        let mut in_front = match known_at_start(self.vertices, edge, changes.sum) {
+        let raised = line.ends.map(|end| LinePoint {
+            depth: end.depth + tolerance::<D>() as i32,
+            ..end
+        });
+        if let Some(segment) = Segment::new(raised) {
+            *self.edges += 1;
+            let mut parts = Parts::new(line, part);
+            self.along(&segment, excepted, |parameter, is_hidden| {
+                parts.until(parameter, is_hidden)
+            });
+            parts.finish();
+        }
+    }
+
+    /// Walks along a line. Says of each part up to a parameter, from the start on, whether faces hide it that are not excepted.
+    fn along<S, D>(&mut self, edge: &Segment, excepted: &[Triangle], mut until: impl FnMut(u32, bool))
+    where
+        S: ScreenPrecision,
+        D: DepthWidth,
+        T: LineTable<S, D>,
+    {
+        let mut changes = self.faces.changes(edge, excepted, self.changes, 0);
+        // Vertices have the number of all faces.
+        let excepted_at = |point: LinePoint| excepted.iter().filter(|face| face.hides(point)).count() as i32;
+        let (at_start, at_end) = (excepted_at(edge.from), excepted_at(edge.to));
+        let sum = changes.sum + at_end - at_start;
+        let of_all = match known_at_start(self.vertices, edge, sum) {
             Some(count) => count,
             None => {
                 *self.rays += 1;
                 self.faces.in_front_of(edge.from)
             }
         };
-        vertices::keep(self.vertices, edge.from, in_front);
-        vertices::keep(self.vertices, edge.to, in_front + changes.sum);
+        vertices::keep(self.vertices, edge.from, of_all);
+        vertices::keep(self.vertices, edge.to, of_all + sum);
+        let mut in_front = of_all - at_start;
         loop {
             for change in changes.first() {
                 until(change.at, in_front > 0);
                 in_front += change.by;
             }
             match changes.next() {
-                Some(from) => changes = self.faces.changes(edge, self.changes, from),
+                Some(from) => changes = self.faces.changes(edge, excepted, self.changes, from),
                 None => break,
             }
         }
@@ -227,10 +267,11 @@ impl<'t, T> Faces<'t, T> {
         Self { table, contours }
     }
 
-    /// The changes of an edge from a parameter on.
+    /// The changes of a line from a parameter on, without those of some faces.
     fn changes<'c, S: ScreenPrecision, D: DepthWidth>(
         &self,
         edge: &Segment,
+        excepted: &[Triangle],
         memory: &'c mut [Change],
         from: u32,
     ) -> Changes<'c>
@@ -250,6 +291,12 @@ impl<'t, T> Faces<'t, T> {
                 }
             }
         }
+        for face in excepted {
+            changes.add(edge.through(face).map(Change::reversed));
+            for side in face.sides() {
+                changes.add(edge.behind(side).map(Change::reversed));
+            }
+        }
         changes
     }
 
@@ -260,6 +307,26 @@ impl<'t, T> Faces<'t, T> {
     {
         let hiding = self.table.faces().filter_map(|face| seen(&face));
         hiding.filter(|face| face.hides(point)).count() as i32
+    }
+}
+
+/// Finds the lines in which faces penetrate each other, with the two faces, of all pairs.
+fn for_each_penetration<S, D, T>(table: &T, mut line: impl FnMut(PartedLine, [Triangle; 2]))
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    T: LineTable<S, D>,
+{
+    for face in table.faces() {
+        let Some(one) = seen(&face) else { continue };
+        for beside in (face.index + 1..table.face_indices()).filter_map(|index| table.face(index)) {
+            let Some(other) = seen(&beside).filter(|other| one.meets(other)) else {
+                continue;
+            };
+            if let Some(found) = intersection_of::<D>(&face, &beside) {
+                line(found, [one, other]);
+            }
+        }
     }
 }
 

@@ -105,11 +105,11 @@ fn check_methods<S: ScreenPrecision, D: DepthWidth>(
     ensure!(without_stack == expected, "other parts without a stack");
     let with_few = parts_by::<S, D>(prepared, edges, &mut FaceAgainstSegment::<4, 2, true>::new())?;
     ensure!(with_few.is_none() || with_few == expected, "other parts with few faces");
-    let by_rays = parts_by::<S, D>(prepared, edges, &mut Appel::<0, 0, 0>::new())?;
+    let by_rays = parts_by::<S, D>(prepared, edges, &mut Appel::<0, 0, 0, true>::new())?;
     ensure!(by_rays.is_some(), "no room for quantitative invisibility");
-    let carried = parts_by::<S, D>(prepared, edges, &mut Appel::<300, 16, 600>::new())?;
+    let carried = parts_by::<S, D>(prepared, edges, &mut Appel::<300, 16, 600, true>::new())?;
     ensure!(carried == by_rays, "another number than by rays");
-    let with_few = parts_by::<S, D>(prepared, edges, &mut Appel::<5, 1, 9>::new())?;
+    let with_few = parts_by::<S, D>(prepared, edges, &mut Appel::<5, 1, 9, true>::new())?;
     ensure!(with_few == by_rays, "another number with little memory");
     let convex = parts_by::<S, D>(prepared, edges, &mut Roberts::<3, 80>::new())?;
     ensure!(convex.is_some(), "no room for three solids");

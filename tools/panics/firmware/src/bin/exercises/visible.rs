@@ -147,6 +147,7 @@ fn hidden_lines<L: Look>() {
     default::<Appel<200, 8, 300>>();
     visible_parts::<L, Appel<200, 8, 300>>();
     visible_parts::<L, Appel<0, 0, 0>>();
+    visible_parts::<L, Appel<200, 8, 300, true>>();
 }
 
 #[inline(never)]
