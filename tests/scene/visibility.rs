@@ -120,6 +120,26 @@ fn check_grids<L: Look<Color = Rgb888, Shading = Rgb888>>(
     assert_eq!(without_cells.mailbox_hits(), 0);
 }
 
+/// Which face is seen in a pixel is known through grids of any capacity as without: in each pixel, and beside the viewport.
+fn check_picking<L: Look>(prepared: &Prepared<'_, '_, L>, camera: &Camera) {
+    let (mut fine, mut coarse) = (
+        GridRayCasting::<2_000, 4_096, 40_000>::new(),
+        GridRayCasting::<2_000, 0, 0>::new(),
+    );
+    let mut faces_at = [
+        Box::new(prepared.picking(&mut fine).unwrap()) as Box<dyn FnMut(Point) -> Option<usize>>,
+        Box::new(prepared.picking(&mut coarse).unwrap()),
+    ];
+    let beside = camera.viewport().to_rectangle().offset(1);
+    for (number, point) in beside.points().enumerate() {
+        let expected = prepared.face_at(point);
+        assert_eq!(faces_at[0](point), expected, "{point:?}");
+        if number % 7 == 0 {
+            assert_eq!(faces_at[1](point), expected, "{point:?}, without cells");
+        }
+    }
+}
+
 /// Draws models by all methods; returns how many pixels show a face.
 fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> usize {
     let mut memory = Box::new(MemoryOf::<S, D>::new());
@@ -142,6 +162,7 @@ fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: 
     check(&mut prepared, &expected, "ray casting", &mut rays);
     assert!(shown == 0 || rays.faces_tested() > 0);
     check_grids(&mut prepared, &expected, shown);
+    check_picking(&prepared, camera);
     for (point, word) in camera.viewport().to_rectangle().points().zip(&expected).step_by(7) {
         let face = prepared.face_at(point);
         assert_eq!(*word, face.map_or(BEHIND, color_of).into_storage(), "{point:?}");

@@ -81,6 +81,11 @@ fn check_grid<L: Look<Color = Rgb888, Shading = Rgb888>>(scene: &Scene, pose: Po
     assert!(by(&mut prepared, &mut coarse, area) == expected, "{camera:?}");
     let mut tree = RayCasting::<2_000>::new();
     assert!(by(&mut prepared, &mut tree, area) == expected, "{camera:?}");
+    let mut grid = GridRayCasting::<2_000, 4_096, 40_000>::new();
+    let mut face_at = prepared.picking(&mut grid).unwrap();
+    for point in area.points() {
+        assert_eq!(face_at(point), prepared.face_at(point), "{point:?} {camera:?}");
+    }
 }
 
 /// Lenses of all lengths, that look beside the middle, in a viewport anywhere.
@@ -148,6 +153,45 @@ fn grids_of_any_capacity() {
     };
     assert!(words.iter().all(|word| *word == 7));
     assert!((100..588).contains(&needed), "{needed}");
+    let mut small = GridRayCasting::<9, 9, 9>::new();
+    assert_eq!(prepared.picking(&mut small).err(), Some(TooSmall::Faces(needed)));
+}
+
+/// Counted for the torus and the cube, in the pixels that show a face: how many faces are asked through a grid, and without.
+#[test]
+fn picking_through_a_grid_asks_few_faces() {
+    let scene = Scene::new(vec![meshes::torus(), meshes::cube(0.5)]);
+    let models = scene.models(standard_pose(3));
+    let camera = camera(area(WIDTH, HEIGHT));
+    let mut memory = Box::new(MemoryOf::<Rgb888>::new());
+    let prepared = memory.prepare(&camera, &models).unwrap();
+    let shown: Vec<Point> = area(WIDTH, HEIGHT)
+        .points()
+        .filter(|point| prepared.face_at(*point).is_some())
+        .collect();
+    let mut grid = GridRayCasting::<600, 4_096, 20_000>::new();
+    let mut face_at = prepared.picking(&mut grid).unwrap();
+    for point in &shown {
+        face_at(*point).unwrap();
+    }
+    drop(face_at);
+    let through_grid = f64::from(grid.faces_tested()) / shown.len() as f64;
+    // Without it: all faces that begin in the row of the pixel or above it.
+    let is_seen = |[a, b, c]: [[i128; 3]; 3]| (b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]);
+    let rows: Vec<i32> = snapped(&prepared)
+        .iter()
+        .filter(|face| is_seen(face.corners))
+        .map(|face| face.corners.iter().map(|corner| corner[1] as i32).min().unwrap())
+        .collect();
+    let looked_at = shown
+        .iter()
+        .map(|point| rows.iter().filter(|row| **row <= 16 * point.y).count())
+        .sum::<usize>();
+    let without = looked_at as f64 / shown.len() as f64;
+    assert!(
+        through_grid < 12.0 && without > 10.0 * through_grid,
+        "{through_grid} {without}"
+    );
 }
 
 /// Counted for the torus and the cube: a ray tests few of 588 faces, and none twice.

@@ -52,6 +52,8 @@ const CELLS_FOR_EACH_FACE: usize = 8;
 /// instructions as the tree of [`RayCasting`](crate::visible::RayCasting), because cells are marched through for each ray. With fewer
 /// cells or entries the picture is the same, and rays ask more faces; without any they ask all.
 ///
+/// [`Prepared::picking`](crate::scene::Prepared::picking) asks the same grid which faces are seen in single pixels.
+///
 /// RAM: 4 bytes a face, 2 a cell and 2 an entry, and 16. Eight cells and sixteen entries for each face are much; more cells than
 /// eight for each face are not used.
 ///
@@ -306,6 +308,28 @@ impl<const FACES: usize, const CELLS: usize, const ENTRIES: usize> GridRayCastin
         *mailbox = self.ray;
         self.faces_tested = self.faces_tested.wrapping_add(1);
         self.nodes.get(index).copied()
+    }
+
+    /// Builds the grid of all faces of a frame. What is returned answers which face is seen in a pixel of the viewport: its index
+    /// in the order of models and faces.
+    ///
+    /// # Errors
+    /// [`TooSmall::Faces`] with the number of faces, where that is more than there is room for.
+    pub(crate) fn picking<'p, S, D, H, F>(
+        &'p mut self,
+        faces: &'p F,
+    ) -> Result<impl FnMut([i32; 2]) -> Option<usize> + 'p, TooSmall>
+    where
+        S: ScreenPrecision + 'p,
+        D: DepthWidth + 'p,
+        H: Shading + 'p,
+        F: FaceTable<S, D, H>,
+    {
+        let scene = self.build(faces, faces.viewport())?;
+        Ok(move |pixel| {
+            let node = self.cast(faces, scene.as_ref()?, (pixel, 0));
+            (node != NONE).then(|| usize::from(faces.order(node)))
+        })
     }
 
     /// The face that the ray through a pixel of a row meets first, or [`NONE`]. `at` are the first column of the row and the

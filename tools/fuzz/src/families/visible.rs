@@ -125,10 +125,17 @@ impl VisibilityCase {
             prepared.draw(band);
             Ok(())
         })?;
+        let mut grid = GridRayCasting::<400, 200, 900>::new();
+        let mut face_at = prepared.picking(&mut grid)?;
         for (point, expected) in part.to_rectangle().points().zip(&expected).step_by(5) {
-            let seen = prepared.face_at(point).map_or(background(), color);
-            ensure!(seen == *expected, "another face at {point:?}");
+            let seen = prepared.face_at(point);
+            ensure!(
+                seen.map_or(background(), color) == *expected,
+                "another face at {point:?}"
+            );
+            ensure!(face_at(point) == seen, "another face through a grid at {point:?}");
         }
+        drop(face_at);
         macro_rules! check {
             ($($method:expr, $is_enough:literal;)*) => {
                 $(check_method::<S, D>(&mut prepared, &part, &expected, &mut $method, $is_enough)?;)*

@@ -65,6 +65,10 @@ fn depth_values<D: DepthWidth + 'static>() {
 #[inline(never)]
 fn methods<L: Look, O: Order + 'static>() {
     keep(Prepared::<L>::face_at(any(), any()));
+    let mut grid = GridRayCasting::<500, 900, 2_000>::new();
+    if let Ok(mut face_at) = Prepared::<L>::picking(any(), &mut grid) {
+        keep(face_at(any()));
+    }
     clone::<Work>();
     eq::<Work>();
 
