@@ -29,6 +29,7 @@ pub fn all() -> Vec<Case> {
         .chain(squares())
         .chain(hidden_surfaces())
         .chain(convex_solid())
+        .chain(hidden_lines())
         .chain(pictures())
         .chain(contours())
         .chain(instruments())
@@ -452,6 +453,36 @@ fn convex_solid() -> impl Iterator<Item = Case> {
                 variant,
                 peer: Peer::None,
             },
+        })
+    })
+}
+
+/// The teapot, and two solids that go through each other, by each method of hidden lines: preparing, and finding the parts of edges.
+fn hidden_lines() -> impl Iterator<Item = Case> {
+    let scenes = [
+        ("hidden_lines.teapot", "edges of the teapot"),
+        ("hidden_lines.solids", "edges of two cubes, and their intersections"),
+    ];
+    let methods = [
+        ("segments", "face against segment"),
+        ("appel", "Appel"),
+        ("roberts", "Roberts"),
+    ];
+    [V7EM, V6M].into_iter().flat_map(move |target| {
+        scenes.into_iter().flat_map(move |(count, scene)| {
+            methods.into_iter().map(move |(variant, method)| Case {
+                name: format!("{count}.{variant}"),
+                title: format!("{scene} by {method}"),
+                target,
+                budget: None,
+                cycles_budget: None,
+                source: Source::Count {
+                    firmware: "hidden_lines",
+                    count,
+                    variant,
+                    peer: Peer::None,
+                },
+            })
         })
     })
 }
