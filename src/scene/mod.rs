@@ -42,6 +42,7 @@ mod clipping;
 mod counters;
 mod culling;
 mod depth_lines;
+mod depth_polygons;
 mod edges;
 mod estimate;
 mod faces;

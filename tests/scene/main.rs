@@ -15,6 +15,7 @@ mod bounds;
 mod cameras;
 mod clipped_faces;
 mod counters;
+mod depth_polygons;
 mod depth_row;
 mod depth_state;
 mod depth_state_shading;

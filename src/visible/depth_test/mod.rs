@@ -12,9 +12,9 @@
 //!                +----------------------------------> column
 //! ```
 //!
-//! Three things are drawn so: shapes and texts at a constant depth (`row.at_depth_with(depth, &state)`), lines between two depths
-//! (`row.draw_line(&line, color, &state)`) and the faces of another scene
-//! ([`Prepared::draw_in`](crate::scene::Prepared::draw_in)), which come in the order of models and faces.
+//! Four things are drawn so: shapes and texts at a constant depth (`row.at_depth_with(depth, &state)`), lines between two depths
+//! (`row.draw_line(&line, color, &state)`), planar polygons of any shape (`row.draw_polygon(&mut polygon, color, &state)`) and the
+//! faces of another scene ([`Prepared::draw_in`](crate::scene::Prepared::draw_in)), which come in the order of models and faces.
 //!
 //! Guarantees: each pixel is what a depth buffer of the whole picture would have after the same things in the same order, in
 //! bands of any height and in any order of rows. Nothing wraps. Where none of it is used, nothing is linked or slower.
@@ -24,11 +24,14 @@
 mod comparison;
 mod faces;
 mod line;
+mod polygon;
 mod state;
 
 pub use comparison::Comparison;
 pub use line::DepthLine;
+pub use polygon::DepthPolygon;
 pub use state::{DepthState, PolygonOffset};
 
+pub(crate) use polygon::twice_the_area;
 pub(crate) use state::slope_of_face;
 pub(super) use state::{DepthTest, Nearer, Test};

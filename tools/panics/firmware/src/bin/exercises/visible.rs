@@ -5,7 +5,7 @@ use zrow::{
     scene::{Deep, DepthWidth, DoubleSided, Fine, Look, OnePass, Prepared, Whole},
     shade::{Gouraud, Texels, Textured, Translucent},
     visible::{
-        Appel, Comparison, DepthBuffer, DepthLine, DepthSort, DepthSortCounters, DepthState, FaceAgainstSegment,
+        Appel, Comparison, DepthBuffer, DepthLine, DepthPolygon, DepthSort, DepthSortCounters, DepthState, FaceAgainstSegment,
         GridRayCasting, HiddenLines, LinePart, OneDepth, PartKind, PolygonOffset, RayCasting, Roberts,
         SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
@@ -37,16 +37,21 @@ fn depth_test<L: Look, O: Order + 'static>() {
     keep(Prepared::<L>::draw_with::<O>(any(), any(), |row| {
         keep(row.depths());
         row.draw_line(any(), any(), any());
+        row.draw_polygon::<5>(any(), any(), any());
         keep(Prepared::<L>::draw_in(any(), row, any()));
         row_target(row.at_depth_with(any(), any()));
     }));
     keep_all(Prepared::<L>::lines_in_depth(any(), any(), any()));
+    keep(Prepared::<L>::prepare_polygon::<5>(any(), any(), any(), any(), any()));
 }
 
 #[inline(never)]
 fn depth_values<D: DepthWidth + 'static>() {
     keep(DepthLine::<D>::new(any()));
     clone::<DepthLine<D>>();
+    keep(DepthPolygon::<D, 5>::new());
+    default::<DepthPolygon<D, 5>>();
+    clone::<DepthPolygon<D, 5>>();
     eq::<DepthLine<D>>();
     default::<DepthState<D>>();
     clone::<DepthState<D>>();
