@@ -19,7 +19,7 @@ pub(crate) use blending::InLinearLight;
 pub(crate) use multisampling::Multisampled;
 pub(crate) use picture_loop::SceneResult;
 pub use picture_loop::{
-    BytesSink, DisplaySink, Dithered, LoopError, OverlappingSink, PictureLoop, Sink, Supersampling,
+    BytesSink, DisplaySink, Dithered, LoopError, OverlappingSink, Page, PagesSink, PictureLoop, Sink, Supersampling,
 };
 
 use core::marker::PhantomData;

@@ -48,6 +48,8 @@ pub enum TooSmall {
     PictureWords(usize),
     /// Words of a band, or of each sample of its pixels: a slice.
     Words(usize),
+    /// Bytes of a [page](crate::band::PagesSink) of eight rows, one for each column: a slice.
+    PageBytes(usize),
     /// Sums of the samples of a band's pixels: a slice.
     Sums(usize),
     /// Cells of the row memory of antialiasing: a slice.
@@ -84,6 +86,7 @@ impl TooSmall {
             | Self::Planes(needed)
             | Self::PictureWords(needed)
             | Self::Words(needed)
+            | Self::PageBytes(needed)
             | Self::Sums(needed)
             | Self::Cells(needed)
             | Self::Colors(needed)
@@ -99,6 +102,7 @@ impl TooSmall {
             Self::Items(_)
                 | Self::PictureWords(_)
                 | Self::Words(_)
+                | Self::PageBytes(_)
                 | Self::Sums(_)
                 | Self::Cells(_)
                 | Self::Colors(_)
@@ -130,6 +134,7 @@ impl TooSmall {
             Self::Planes(_) => "planes",
             Self::PictureWords(_) => "picture words",
             Self::Words(_) => "words",
+            Self::PageBytes(_) => "page bytes",
             Self::Sums(_) => "sums",
             Self::Cells(_) => "row memory cells",
             Self::Colors(_) => "colours",

@@ -12,6 +12,7 @@ mod band;
 mod dithering;
 mod mipidsi;
 mod overlapping_loops;
+mod pages;
 mod picture_loop;
 mod target_calls;
 mod targets;

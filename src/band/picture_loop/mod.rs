@@ -3,6 +3,7 @@
 mod asynchronous;
 mod dithered;
 mod overlapping;
+mod pages;
 #[expect(clippy::module_inception, reason = "the loop without its variants")]
 mod picture_loop;
 mod sink;
@@ -10,6 +11,7 @@ mod supersampling;
 
 pub use dithered::Dithered;
 pub use overlapping::OverlappingSink;
+pub use pages::{Page, PagesSink};
 pub use picture_loop::{LoopError, PictureLoop, SceneResult};
 pub use sink::{BytesSink, DisplaySink, Sink};
 pub use supersampling::Supersampling;

@@ -2,6 +2,7 @@
 
 mod memory;
 mod overlapping;
+mod pages;
 mod picture_loop;
 mod supersampling;
 
@@ -19,6 +20,7 @@ use zrow::{
 
 pub use memory::MemoryCase;
 pub use overlapping::OverlappingCase;
+pub use pages::PagesCase;
 pub use picture_loop::LoopCase;
 pub use supersampling::SupersamplingCase;
 

@@ -11,7 +11,7 @@ use embedded_graphics::{
 use zrow::{
     band::{
         Band, BandColor, BigEndian, BytesSink, DisplaySink, Dithered, LittleEndian, LoopError, Order, OverlappingSink,
-        PictureLoop, Sink, Supersampling,
+        Page, PagesSink, PictureLoop, Sink, Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
     geometry::TooSmall,
@@ -41,6 +41,7 @@ pub const EXERCISES: &[fn()] = &[
     overlapping_sink::<Rgb565, LittleEndian, &mut [u16], DisplaySink<'_, Display<Rgb565>>>,
     draw_async,
     sinks,
+    pages,
     supersampling::<Rgb565, LittleEndian, 2, BoxFilter>,
     supersampling::<Rgb565, BigEndian, 4, Bartlett>,
     supersampling::<Rgb888, LittleEndian, 4, ConeFilter>,
@@ -139,6 +140,15 @@ fn sinks() {
     keep(Dithered::<Rgb565, _>::new(any::<DisplaySink<'_, Display<Rgb565>>>()));
     sink::<Rgb888, LittleEndian, Dithered<Rgb565, DisplaySink<'_, Display<Rgb565>>>>();
     sink::<Gray8, BigEndian, Dithered<Gray4, BytesSink<fn(Rectangle, &[u8]) -> Result<(), Failure>>>>();
+}
+
+#[inline(never)]
+fn pages() {
+    keep(PagesSink::new(any(), any(), any::<fn(Page<'_>) -> Result<(), Failure>>()).is_ok());
+    sink::<BinaryColor, LittleEndian, PagesSink<'static, fn(Page<'_>) -> Result<(), Failure>>>();
+    keep(Page::ssd1306_window(any(), any()));
+    keep(Page::sh1106_window(any(), any()));
+    eq::<Page<'_>>();
 }
 
 #[inline(never)]
