@@ -10,6 +10,7 @@ mod reference {
 
 mod band;
 mod dithering;
+mod faults;
 mod mipidsi;
 mod overlapping_loops;
 mod pages;
