@@ -6,6 +6,7 @@
 mod blending;
 mod dithering;
 mod fill;
+mod in_picture;
 mod multisampling;
 mod pack;
 mod picture_loop;
@@ -19,7 +20,8 @@ pub(crate) use blending::InLinearLight;
 pub(crate) use multisampling::Multisampled;
 pub(crate) use picture_loop::SceneResult;
 pub use picture_loop::{
-    BytesSink, DisplaySink, Dithered, LoopError, OverlappingSink, Page, PagesSink, PictureLoop, Sink, Supersampling,
+    BytesSink, DisplaySink, Dithered, LoopError, OverlappingSink, Page, PagesSink, PictureLoop, Rotated, Sink,
+    Supersampling,
 };
 
 use core::marker::PhantomData;

@@ -15,5 +15,6 @@ mod mipidsi;
 mod overlapping_loops;
 mod pages;
 mod picture_loop;
+mod rotated;
 mod target_calls;
 mod targets;

@@ -6,6 +6,7 @@ mod overlapping;
 mod pages;
 #[expect(clippy::module_inception, reason = "the loop without its variants")]
 mod picture_loop;
+mod rotated;
 mod sink;
 mod supersampling;
 
@@ -13,5 +14,6 @@ pub use dithered::Dithered;
 pub use overlapping::OverlappingSink;
 pub use pages::{Page, PagesSink};
 pub use picture_loop::{LoopError, PictureLoop, SceneResult};
+pub use rotated::Rotated;
 pub use sink::{BytesSink, DisplaySink, Sink};
 pub use supersampling::Supersampling;

@@ -4,6 +4,7 @@ mod memory;
 mod overlapping;
 mod pages;
 mod picture_loop;
+mod rotated;
 mod supersampling;
 
 use arbitrary::Arbitrary;
@@ -22,6 +23,7 @@ pub use memory::MemoryCase;
 pub use overlapping::OverlappingCase;
 pub use pages::PagesCase;
 pub use picture_loop::LoopCase;
+pub use rotated::RotatedCase;
 pub use supersampling::SupersamplingCase;
 
 use crate::values::{Hue, Length, List, Spot, Stage};

@@ -5,13 +5,16 @@ use core::{
 };
 
 use embedded_graphics::{
+    Drawable,
+    draw_target::DrawTarget,
+    geometry::Dimensions,
     pixelcolor::{BinaryColor, Gray2, Gray4, Gray8, Rgb565, Rgb666, Rgb888},
     primitives::Rectangle,
 };
 use zrow::{
     band::{
         Band, BandColor, BigEndian, BytesSink, DisplaySink, Dithered, LittleEndian, LoopError, Order, OverlappingSink,
-        Page, PagesSink, PictureLoop, Sink, Supersampling,
+        Page, PagesSink, PictureLoop, Rotated, Sink, Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
     geometry::TooSmall,
@@ -42,6 +45,9 @@ pub const EXERCISES: &[fn()] = &[
     draw_async,
     sinks,
     pages,
+    rotated::<Rgb565, LittleEndian>,
+    rotated::<Rgb888, BigEndian>,
+    rotated::<BinaryColor, LittleEndian>,
     supersampling::<Rgb565, LittleEndian, 2, BoxFilter>,
     supersampling::<Rgb565, BigEndian, 4, Bartlett>,
     supersampling::<Rgb888, LittleEndian, 4, ConeFilter>,
@@ -149,6 +155,22 @@ fn pages() {
     keep(Page::ssd1306_window(any(), any()));
     keep(Page::sh1106_window(any(), any()));
     eq::<Page<'_>>();
+}
+
+#[inline(never)]
+fn rotated<C: BandColor + 'static, O: Order>() {
+    type Bytes = BytesSink<fn(Rectangle, &[u8]) -> Result<(), Failure>>;
+    keep(Rotated::by_90(any(), any::<Bytes>()));
+    keep(Rotated::by_180(any(), any::<Bytes>()));
+    keep(Rotated::by_270(any(), any::<Bytes>()));
+    sink::<C, O, Rotated<Bytes>>();
+    let mut band = any::<Band<'_, C, O>>();
+    let mut in_picture = Band::<C, O>::in_picture(&mut band, any());
+    keep(in_picture.bounding_box());
+    keep(any::<&Dot<C>>().draw(&mut in_picture));
+    keep(in_picture.fill_solid(any(), any()));
+    keep(in_picture.fill_contiguous(any(), any::<&[C]>().iter().copied()));
+    keep(in_picture.clear(any()));
 }
 
 #[inline(never)]
