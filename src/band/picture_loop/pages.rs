@@ -37,7 +37,7 @@ const PAGE_ROWS: i32 = 8;
 /// After an error of the closure the next picture is whole again, from its first page on. A controller whose command was cut off has to be
 /// initialized before: it takes the next bytes for the rest of the command.
 ///
-/// RAM: a byte a column, which the caller lends, and 28 bytes for the sink on a 32-bit machine.
+/// RAM: a byte a column, which the caller lends, and 24 bytes and the closure for the sink on a 32-bit machine.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::*};

@@ -63,7 +63,7 @@ impl PagesCase {
                         let Window { left, top, bottom, .. } = band.bounding_box().into();
                         for y in top..bottom {
                             let row = band.row_mut(y).unwrap_or_default();
-                            for (x, word) in (left..).zip(row) {
+                            for (word, x) in row.iter_mut().zip(left..) {
                                 *word = u8::from(self.pixel(x, y)) | self.before << 1;
                             }
                         }
