@@ -25,6 +25,7 @@ pub mod instruments;
 pub mod line_siblings;
 pub mod meshes;
 pub mod multisampled;
+pub mod needle;
 pub mod oled;
 pub mod oled_teapot;
 mod paint;
