@@ -24,7 +24,7 @@ enum Command {
     Accuracy(tool::Options),
     /// Measures what each effect costs the teapot on the chips, and writes docs/effects.md
     Effects(tool::Options),
-    /// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel
+    /// Runs firmware of a board in an emulator and compares its panel with the simulator, pixel by pixel
     Emulate(tool::Options),
     /// Writes a font as a Rust module: coverage masks for antialiased text
     Font(tool::Options),

@@ -8,19 +8,18 @@ use std::{
     time::{Duration, Instant},
 };
 
-const TARGET: &str = "thumbv7m-none-eabi";
 /// Long enough to fetch and build everything, `core` included, on a slow machine.
 const BUILD_TIMEOUT: Duration = Duration::from_secs(20 * 60);
 
-/// Builds the firmware and says where the program is. Cargo's own progress and the script's advice what to install
+/// Builds the firmware of the board whose folder has that name, and says where the program is. Cargo's own progress and the script's advice what to install
 /// go to the terminal.
-pub fn build() -> Result<PathBuf> {
+pub fn build(name: &str, target: &str) -> Result<PathBuf> {
     let boards = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../boards");
-    let board = boards.join("lm3s6965evb");
+    let board = boards.join(name);
     let script = boards.join("build-firmware");
     let mut build = Command::new(&script)
         .arg(&board)
-        .arg(TARGET)
+        .arg(target)
         .args(["--target-dir", "target"])
         // Set by `cargo run` for this program; the script may call another compiler, which has libraries of its own.
         .env_remove("LD_LIBRARY_PATH")
@@ -41,6 +40,6 @@ pub fn build() -> Result<PathBuf> {
             None => sleep(Duration::from_millis(50)),
         }
     };
-    ensure!(status.success(), "the firmware for {TARGET} was not built ({status})");
-    Ok(board.join("target").join(TARGET).join("release/zrow-lm3s6965evb"))
+    ensure!(status.success(), "the firmware of {name} was not built ({status})");
+    Ok(board.join("target").join(target).join(format!("release/zrow-{name}")))
 }

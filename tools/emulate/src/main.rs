@@ -1,131 +1,70 @@
-//! Runs the OLED firmware in QEMU and compares its panel with the simulator, frame by frame and pixel by pixel.
+//! Runs the firmware of the boards in emulators and compares their panels with the simulator, frame by frame and pixel by pixel.
 
+mod child;
 mod firmware;
-mod panel;
-mod qemu;
+mod oled;
+mod pico;
 
 use anyhow::{Context, Result, ensure};
 use clap::Parser;
-use embedded_graphics::{pixelcolor::Gray4, prelude::*};
-use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
-use indicatif::{ProgressBar, ProgressStyle};
-use panel::Panel;
-use qemu::Qemu;
 use std::{
     fs,
     path::{Path, PathBuf},
 };
-use zrow::band::DisplaySink;
-use zrow_scenes::{
-    Prepared, Scene,
-    oled::{self, Oled},
-    oled_teapot::OledTeapot,
-};
 
-/// With `-icount shift=0` an instruction takes 1 ns, and SysTick ticks at the board's 12.5 MHz.
-const INSTRUCTIONS_PER_TICK: u64 = 80;
-
-/// Runs the OLED firmware in QEMU and compares its panel with the simulator, pixel by pixel.
+/// Runs the firmware of a board in an emulator and compares its panel with the simulator, pixel by pixel.
 #[derive(clap::Parser)]
 #[command(name = "emulate", version)]
 pub struct Options {
-    /// Frames of each scene to compare, from the first one on.
-    #[arg(long, default_value_t = oled::FRAMES, value_parser = clap::value_parser!(u32).range(3..=i64::from(oled::FRAMES)))]
-    frames: u32,
+    /// The board.
+    #[arg(long, value_enum, default_value = "oled")]
+    board: Board,
+    /// All boards, one after the other.
+    #[arg(long, conflicts_with = "board")]
+    all: bool,
+    /// Frames of each scene to compare, from the first one on; all 64 of the OLED and 3 of the Pico where nothing is said.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(3..=64))]
+    frames: Option<u32>,
     /// Folder for the pictures of both sides.
     #[arg(long, default_value = "target/gallery/emulated")]
     output: PathBuf,
+}
+
+/// A board that an emulator runs.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Board {
+    /// LM3S6965EVB in QEMU: Cortex-M3, 128 x 64 OLED in 16 greys
+    Oled,
+    /// Raspberry Pi Pico in rp2040js: Cortex-M0+, ST7789 of 240 x 320 pixels, rows sent by DMA
+    Pico,
+}
+
+impl Board {
+    fn compare_scenes(self, frames: Option<u32>, output: &Path) -> Result<usize> {
+        match self {
+            Self::Oled => oled::compare_scenes(frames, output),
+            Self::Pico => pico::compare_scenes(frames, output),
+        }
+    }
 }
 
 fn main() -> anyhow::Result<()> {
     run(&Options::parse())
 }
 
-/// Runs the command; fails unless every pixel of every frame of both scenes is the same.
+/// Runs the command; fails unless every pixel of every frame is the same.
 pub fn run(options: &Options) -> Result<()> {
-    let program = firmware::build()?;
     fs::create_dir_all(&options.output).with_context(|| format!("cannot create {}", options.output.display()))?;
-    let mut qemu = Qemu::start(&program)?;
-    let differing = compare::<Oled>(&mut qemu, options)? + compare::<OledTeapot>(&mut qemu, options)?;
+    let boards = if options.all {
+        &[Board::Oled, Board::Pico][..]
+    } else {
+        &[options.board]
+    };
+    let mut differing = 0;
+    for board in boards {
+        differing += board.compare_scenes(options.frames, &options.output)?;
+    }
     println!("pictures in {}", options.output.display());
-    ensure!(differing == 0, "the emulated panel differs from the simulator");
+    ensure!(differing == 0, "an emulated panel differs from the simulator");
     Ok(())
-}
-
-/// Compares the frames of a scene; returns how many pixels differ.
-fn compare<S: Scene<Color = Gray4>>(qemu: &mut Qemu, options: &Options) -> Result<usize> {
-    let mut simulator = Simulator::<S>::default();
-    let progress = ProgressBar::new(options.frames.into()).with_style(ProgressStyle::with_template(
-        "{prefix} {bar:40} frame {pos}/{len} {msg}",
-    )?);
-    progress.set_prefix(S::NAME);
-    let (mut differing, mut ticks, mut sending) = (0, 0, 0);
-    for frame in 0..S::FRAMES {
-        let taken = qemu.wait_for_frame(S::NAME, frame)?;
-        // The firmware shows all frames of a scene before it goes on to the next one.
-        if frame < options.frames {
-            ticks += taken.frame;
-            sending += taken.sending;
-            let emulated = Panel::from_screendump(&qemu.screendump(&options.output.join("panel.ppm"))?)?;
-            let drawn = simulator.draw(frame)?;
-            let picture = |side| options.output.join(format!("{}-{frame:02}-{side}.png", S::NAME));
-            emulated.save(&picture("emulated"))?;
-            simulator.save(&picture("simulator"))?;
-            differing += emulated.differing_pixels(&drawn);
-            progress.set_message(format!("{differing} differing pixels"));
-            progress.inc(1);
-        }
-        qemu.next_frame()?;
-    }
-    progress.finish_and_clear();
-    let pixels = options.frames * S::AREA.size.width * S::AREA.size.height;
-    println!(
-        "{}: {differing} differing pixels of {pixels} in {} frames",
-        S::NAME,
-        options.frames
-    );
-    let instructions = |ticks: u64| ticks * INSTRUCTIONS_PER_TICK / u64::from(options.frames);
-    println!(
-        "{} instructions a frame on the emulated Cortex-M3 (mean): {} to prepare and draw it, {} to send it over SPI",
-        instructions(ticks),
-        instructions(ticks - sending),
-        instructions(sending)
-    );
-    Ok(differing)
-}
-
-/// The desktop's side: the same scene code, the same one row.
-struct Simulator<S> {
-    scene: S,
-    display: SimulatorDisplay<Gray4>,
-}
-
-impl<S: Scene<Color = Gray4>> Default for Simulator<S> {
-    fn default() -> Self {
-        Self {
-            scene: S::default(),
-            display: SimulatorDisplay::new(S::AREA.size),
-        }
-    }
-}
-
-impl<S: Scene<Color = Gray4>> Simulator<S> {
-    fn draw(&mut self, frame: u32) -> Result<Panel> {
-        let mut row = vec![0; S::AREA.size.width as usize];
-        let mut prepared = self.scene.prepare(frame)?;
-        S::picture()
-            .draw(&mut row, &mut DisplaySink(&mut self.display), |band| {
-                prepared.draw(band)
-            })
-            .context("the simulator's picture")?;
-        Ok(Panel::from_pixels(|point| self.display.get_pixel(point).luma()))
-    }
-
-    fn save(&self, path: &Path) -> Result<()> {
-        let settings = OutputSettingsBuilder::new().scale(panel::MAGNIFICATION).build();
-        let image = self.display.to_grayscale_output_image(&settings);
-        image
-            .save_png(path)
-            .with_context(|| format!("cannot write {}", path.display()))
-    }
 }

@@ -4,16 +4,17 @@
 //! and halts until a byte comes back, so that a picture taken in between is of that frame, whole. QEMU's monitor (QMP,
 //! one JSON object a line) is a TCP connection that QEMU opens to this program. Every wait has a time-out.
 
+use crate::child::{KillOnDrop, lines};
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use image::RgbImage;
 use serde_json::{Value, json};
 use std::{
-    io::{BufRead, BufReader, ErrorKind, Read, Write},
+    io::{BufRead, BufReader, ErrorKind, Write},
     net::{TcpListener, TcpStream},
     path::Path,
     process::{Child, ChildStdin, Command, Stdio},
-    sync::mpsc::{Receiver, RecvTimeoutError, channel},
-    thread::{sleep, spawn},
+    sync::mpsc::{Receiver, RecvTimeoutError},
+    thread::sleep,
     time::{Duration, Instant},
 };
 
@@ -125,30 +126,6 @@ impl Qemu {
         std::fs::remove_file(&file)?;
         Ok(picture.into_rgb8())
     }
-}
-
-/// Ends the child on every path out, the ones with an error included.
-struct KillOnDrop(Child);
-
-impl Drop for KillOnDrop {
-    fn drop(&mut self) {
-        // Both fail only for a child that has ended already.
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
-
-/// The lines of a pipe, read in a thread so that waiting for one can have a time-out.
-fn lines(pipe: impl Read + Send + 'static) -> Receiver<String> {
-    let (sender, receiver) = channel();
-    spawn(move || {
-        for line in BufReader::new(pipe).lines().map_while(Result::ok) {
-            if sender.send(line).is_err() {
-                break;
-            }
-        }
-    });
-    receiver
 }
 
 /// Waits for QEMU to connect.
