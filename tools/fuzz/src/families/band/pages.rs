@@ -26,6 +26,9 @@ pub struct PagesCase {
     any_size: [Count; 2],
 }
 
+/// The first row of each page, and its bytes.
+type Pages = Vec<(i32, Vec<u8>)>;
+
 impl PagesCase {
     /// The pixel of a row and a column of the stage.
     fn pixel(&self, x: i32, y: i32) -> bool {
@@ -42,7 +45,7 @@ impl PagesCase {
     }
 
     /// The pages that are sent, up to one that fails.
-    fn draw(&self, page: &mut [u8], fails_at: usize) -> (Vec<(i32, Vec<u8>)>, Result<(), LoopError<Broken>>) {
+    fn draw(&self, page: &mut [u8], fails_at: usize) -> (Pages, Result<(), LoopError<Broken>>) {
         let area = self.stage.area();
         let mut pages = Vec::new();
         let sink = PagesSink::new(area, page, |page| {
@@ -109,7 +112,7 @@ impl Case for PagesCase {
             page.resize(columns, self.before);
         }
         let tops = (window.top.div_euclid(8)..=(window.bottom - 1).div_euclid(8)).map(|page| page * 8);
-        let expected: Vec<_> = tops.map(|top| (top, self.bytes(top))).collect();
+        let expected: Pages = tops.map(|top| (top, self.bytes(top))).collect();
         let fails_at = usize::from(self.fails_at) % expected.len();
         let (pages, sent) = self.draw(&mut page, fails_at);
         ensure!(sent == Err(LoopError::Sink(Broken)), "{sent:?} at page {fails_at}");

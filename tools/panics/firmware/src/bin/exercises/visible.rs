@@ -5,9 +5,9 @@ use zrow::{
     scene::{Deep, DepthWidth, DoubleSided, Fine, Look, OnePass, Prepared, Whole},
     shade::{Gouraud, Texels, Textured, Translucent},
     visible::{
-        Appel, Comparison, DepthBuffer, DepthLine, DepthPolygon, DepthSort, DepthSortCounters, DepthState, FaceAgainstSegment,
-        GridRayCasting, HiddenLines, LinePart, OneDepth, PartKind, PolygonOffset, RayCasting, Roberts,
-        SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
+        Appel, Comparison, DepthBuffer, DepthLine, DepthPolygon, DepthSort, DepthSortCounters, DepthState,
+        FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart, OneDepth, PartKind, PolygonOffset, RayCasting,
+        Roberts, SolidCombination, SolidNode, SpanScanLine, TileBins, Visibility, Warnock, Work,
     },
 };
 use zrow_panics_firmware::{any, keep, keep_all};
