@@ -1,6 +1,6 @@
-//! `zrow::visible`: scenes, lines and pixels by a state of the depth test.
+//! `zrow::visible`: scenes, lines, polygons and pixels by a state of the depth test.
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 use arbitrary::Arbitrary;
 use embedded_graphics::{
     Pixel,
@@ -14,14 +14,15 @@ use embedded_graphics::{
 use fixed::types::I16F16;
 use zrow::{
     band::LittleEndian,
-    geometry::{Sub4, Sub8, Window},
+    geometry::{Sub4, Sub8, TooSmall, Window},
+    scan::FillRule,
     scene::{DepthWidth, Memory, Prepared, ScreenPrecision},
-    visible::{Comparison, DepthLine, DepthState, PolygonOffset},
+    visible::{Comparison, DepthLine, DepthPolygon, DepthState, PolygonOffset},
 };
 use zrow_methods::LookOf;
 
 use crate::{
-    families::scene::{AnyScene, Kind, Large, case_of_each_kind, colors, models},
+    families::scene::{AnyScene, Kind, Large, Mesh, case_of_each_kind, colors, models},
     picture::{Canvas, is_same, sure},
     target::{Case, Verdict},
     values::{Int, List, Spot},
@@ -30,12 +31,14 @@ use crate::{
 /// The look of a scene whose faces are cut.
 type Look<S, D> = LookOf<Rgb565, S, D, true>;
 
-/// Scenes, lines and pixels by a state of the depth test into the rows of another scene, whose viewport may be another one: in
+/// Scenes, lines, polygons and pixels by a state of the depth test into the rows of another scene, whose viewport may be another one: in
 /// one band and row by row from below, with room for all faces and for two in a row.
 #[derive(Debug, Arbitrary)]
 pub struct DepthStateCase {
     scenes: [AnyScene; 2],
     lines: List<[(Spot, u32); 2], 3>,
+    /// Whether the inside of the polygon, whose contours are the vertices of the first scene, is found by the non-zero rule.
+    is_nonzero: bool,
     comparison: AnyComparison,
     writes: bool,
     offset: [Int; 2],
@@ -117,10 +120,25 @@ impl DepthStateCase {
             DepthLine::new([0, 1].map(|end: usize| (ends[end].0.from(origin), D::from_interpolated(ends[end].1))))
         };
         let lines: Vec<DepthLine<D>> = lines.map(ends).collect();
+        let (mut polygon, mut small) = (DepthPolygon::<D, 256>::new(), DepthPolygon::<D, 3>::new());
+        let contours: Vec<&[[i16; 3]]> = meshes.iter().map(Mesh::contour).collect();
+        let rule = if self.is_nonzero {
+            FillRule::NonZero
+        } else {
+            FillRule::EvenOdd
+        };
+        if let Some(mesh) = meshes.first() {
+            // Seven corners a contour; each of six planes makes at most three of two.
+            prepared.prepare_polygon(&mut polygon, mesh.pose(), &contours, rule)?;
+            let fits = prepared.prepare_polygon(&mut small, mesh.pose(), &contours, rule);
+            ensure!(matches!(fits, Ok(()) | Err(TooSmall::Edges(4..=256))), "{fits:?}");
+        }
         let mut draw = |part: Window, other: &mut Prepared<'_, '_, Look<S, D>>| {
             Canvas::new(part).draw::<LittleEndian>(|band| {
                 prepared.draw_with(band, |row| {
                     other.draw_in(row, &state);
+                    row.draw_polygon(&mut polygon, Rgb565::from(RawU16::from_u32(0x0103)), &state);
+                    row.draw_polygon(&mut small, Rgb565::from(RawU16::from_u32(0x0104)), &state);
                     for line in &lines {
                         row.draw_line(line, Rgb565::from(RawU16::from_u32(0x0101)), &state);
                     }

@@ -95,6 +95,18 @@ pub struct Mesh {
     pose: Pose,
 }
 
+impl Mesh {
+    /// The vertices, one after the other: the corners of a contour that may cross itself.
+    pub fn contour(&self) -> &[[i16; 3]] {
+        &self.vertices
+    }
+
+    /// Where the model is.
+    pub const fn pose(&self) -> &Pose {
+        &self.pose
+    }
+}
+
 impl AnyModel {
     fn mesh(&self) -> Mesh {
         let vertices: Vec<_> = self.vertices.0.iter().map(|vertex| vertex.map(|axis| axis.0)).collect();
