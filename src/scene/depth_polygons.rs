@@ -68,9 +68,9 @@ impl<L: Look> Prepared<'_, '_, L> {
     ///     row.draw_polygon(&mut wall, Rgb565::GREEN, &DepthState::NEARER);
     /// });
     /// let color_at = |x: usize, y: usize| words[64 * y + x];
-    /// assert_eq!(color_at(10, 32), Rgb565::GREEN.into_storage());
+    /// assert_eq!(color_at(21, 32), Rgb565::GREEN.into_storage());
     /// assert_eq!(color_at(32, 30), Rgb565::RED.into_storage());
-    /// assert_eq!(color_at(25, 25), 0);
+    /// assert_eq!(color_at(27, 27), 0);
     /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
     ///
