@@ -151,7 +151,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 self.rows_without_depth += 1;
                 return;
             }
-            self.give_up_order();
+            if self.attempts_left == 0 {
+                self.back_off_frames = BACK_OFF_FRAMES;
+            }
             // The pixels that were filled are drawn again.
             self.enter(faces, row.y, true);
         }
@@ -176,14 +178,6 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             self.blend_row(faces, row);
         } else if F::ANTIALIASES {
             self.take_all_down(row.y);
-        }
-    }
-
-    /// Takes note that spans in the order of columns overlapped: after the last attempt the next frames do without that order.
-    #[inline]
-    pub(super) fn give_up_order(&mut self) {
-        if self.attempts_left == 0 {
-            self.back_off_frames = BACK_OFF_FRAMES;
         }
     }
 
@@ -464,6 +458,14 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 near = slot;
             }
         }
+    }
+
+    /// Empties the list and enters the faces that cross a row in the order of columns, however often that was done in the frame.
+    pub(super) fn enter_in_order<D: DepthWidth>(&mut self, faces: &impl FaceTable<S, D, H>, row: i32) {
+        let attempts = self.attempts_left;
+        self.attempts_left = 1;
+        self.enter(faces, row, true);
+        self.attempts_left = attempts;
     }
 
     /// Takes the faces from a slot on to a row, and drops those that end above it.

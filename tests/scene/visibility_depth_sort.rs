@@ -85,15 +85,15 @@ fn a_convex_solid_is_painted_without_a_sort() {
             })
             .collect(),
     );
-    let solid = counters_of_a_new_frame(octahedron.clone(), standard_pose(7));
+    let solid = counters_of_a_picture(octahedron.clone(), standard_pose(7));
     assert_eq!((solid.disjoint_rows, solid.pairs), (HEIGHT, 0));
     // Seen from both sides each pixel has two faces, from the first rows of the solid on.
-    let sides = counters_of_a_new_frame(octahedron.two_sided(), standard_pose(7));
+    let sides = counters_of_a_picture(octahedron.two_sided(), standard_pose(7));
     assert!(sides.disjoint_rows < HEIGHT && sides.pairs > 0, "{sides:?}");
 }
 
-/// What the method did for the first picture of a frame: later ones do not try any more whether no face hides another.
-fn counters_of_a_new_frame(mesh: Mesh, pose: Pose) -> DepthSortCounters {
+/// What the method did for one picture of a frame in one band.
+fn counters_of_a_picture(mesh: Mesh, pose: Pose) -> DepthSortCounters {
     let (scene, camera) = (Scene::new(vec![mesh]), camera(area(WIDTH, HEIGHT)));
     let models = scene.models(pose);
     let mut memory = Box::new(MemoryOf::<Sub4, u16>::new());

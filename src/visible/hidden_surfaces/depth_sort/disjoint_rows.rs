@@ -57,23 +57,22 @@ fn paint_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     painter: &mut impl Painter<S, H>,
 ) -> bool {
     let [_, row] = at;
-    let mut is_in_order = painter.active().is_some_and(|list| bring_to_row(list, faces, at));
-    while is_in_order {
-        if painter.disjoint_row(row) {
-            return true;
-        }
-        // Thin spans may change places without overlapping.
-        is_in_order = painter.active().is_some_and(|list| {
-            list.give_up_order();
-            list.enter(faces, row, true);
-            list.disjoint
-        });
+    let has_room = painter.active().is_some_and(|list| bring_to_row(list, faces, at));
+    if !has_room {
+        return false;
     }
-    false
+    if painter.disjoint_row(row) {
+        return true;
+    }
+    // Thin spans may have changed places without overlapping: in an order that begins with this row, they do not.
+    if let Some(list) = painter.active() {
+        list.enter_in_order(faces, row);
+    }
+    painter.disjoint_row(row)
 }
 
 /// Brings the active list to a row that begins at a column, with faces in the order of columns. `false` where it has no room for
-/// all faces, or the order is not tried any more in this frame.
+/// all faces.
 fn bring_to_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     list: &mut ActiveList<S, H>,
     faces: &impl FaceTable<S, D, H>,
@@ -89,8 +88,8 @@ fn bring_to_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         }
     } else {
         list.first_column = left;
-        list.enter(faces, row, true);
+        list.enter_in_order(faces, row);
     }
     list.next_row = row + 1;
-    list.disjoint
+    true
 }
