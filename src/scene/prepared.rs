@@ -342,12 +342,12 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         is_inside.then(|| face_at(&self.faces, [point.x, point.y])).flatten()
     }
 
-    /// Puts the faces of the frame into a uniform grid, once, and returns what answers [`face_at`](Self::face_at) of any pixel through
-    /// it: for many pixels of one frame.
+    /// Puts the faces of the frame into a uniform grid, once, and returns a closure that says which face is seen in a pixel, as
+    /// [`face_at`](Self::face_at) does: for many pixels of one frame.
     ///
-    /// The answers are those of `face_at`. A ray from the eye marches through the cells (Amanatides and Woo 1987) and asks the faces
-    /// in their lists: of a torus and a cube (588 faces), 8.7 a pixel that shows one, where `face_at` looks at 153. Memory is
-    /// that of the [`GridRayCasting`], whose counters go on.
+    /// A ray from the eye marches through the cells (Amanatides and Woo 1987) and asks the faces in their lists: of a torus and a
+    /// cube (588 faces), 8.7 a pixel that shows one, where `face_at` looks at 153. Memory is that of the [`GridRayCasting`], whose
+    /// counters go on.
     ///
     /// # Errors
     /// [`TooSmall::Faces`] with the number of faces in the viewport, where the grid has room for less.

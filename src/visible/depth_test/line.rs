@@ -96,14 +96,17 @@ impl<D: DepthWidth> DepthLine<D> {
 /// pixel by quotient and remainder (Field 1985).
 #[derive(Debug, Copy, Clone)]
 struct Gained {
-    /// The steps from the first pixel of the line.
+    /// The number of the present pixel, counted from the first one of the line.
     step: u32,
-    /// What is gained, and the remainder of the division by all steps.
+    /// The units of depth gained up to the present pixel, rounded to the nearest.
     gained: u32,
+    /// The remainder of the division that `gained` is the quotient of.
     rest: u32,
-    /// What a step adds to both, and all steps.
+    /// The units of depth that each step gains, rounded down.
     per_step: u32,
+    /// The remainder of the division that `per_step` is the quotient of.
     rest_per_step: u32,
+    /// The steps of the whole line, by which is divided.
     steps: u32,
 }
 

@@ -103,6 +103,19 @@ impl HidingFace {
 
     /// The tolerance of the face, in units of depth times [`area`](Self::area).
     pub(super) fn tolerance<D: DepthWidth>(&self) -> i128 {
+        i128::from(tolerance::<D>() * self.area + self.change())
+    }
+
+    /// The depth of a point in the plane of the face, as near as a move by one unit of x and one of y makes it within the face.
+    pub(super) fn nearest_around(&self, point: LinePoint) -> i32 {
+        let change = self.change().checked_div(self.area).unwrap_or_default() + 1;
+        let [a, b, c] = self.corners.map(|corner| corner.depth);
+        // Not beyond the nearest corner, whose depth has 24 bits.
+        (i64::from(point.depth) + change).min(i64::from(a.max(b).max(c))) as i32
+    }
+
+    /// What the depth of the face changes over one unit of x and one of y, in units of depth times [`area`](Self::area).
+    fn change(&self) -> i64 {
         let [a, b, c] = self.corners;
         // How the plane changes with x and y: below 2^48.
         let sum = |of: fn(LinePoint) -> i32| {
@@ -111,7 +124,7 @@ impl HidingFace {
             };
             (part(b, c, a) + part(c, a, b) + part(a, b, c)).abs()
         };
-        i128::from(tolerance::<D>() * self.area + sum(|point| point.x) + sum(|point| point.y))
+        sum(|point| point.x) + sum(|point| point.y)
     }
 }
 

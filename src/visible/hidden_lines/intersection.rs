@@ -18,9 +18,10 @@ use crate::{
     view::{DepthWidth, ScreenPrecision},
     visible::hidden_lines::{
         face_box::FaceBox,
+        hiding::HidingFace,
         junction::junction,
         line_part::PartKind,
-        line_table::{LineFace, LineTable},
+        line_table::{LineFace, LinePoint, LineTable},
         parts::PartedLine,
     },
 };
@@ -55,15 +56,26 @@ where
     }
 }
 
-/// The line in which two faces penetrate each other; `None` where they do not, or are of one model and have a corner in common.
+/// The line in which two faces penetrate each other, as near as it may be by the rounding of its ends; `None` where they do not,
+/// or are of one model and have a corner in common.
 pub(super) fn intersection_of<D: DepthWidth>(one: &LineFace, other: &LineFace) -> Option<PartedLine> {
     if one.model == other.model && one.corners.iter().any(|corner| other.corners.contains(corner)) {
         return None;
     }
+    let ends = junction::<D>([one.corners, other.corners])?;
+    // Where the line leaves one of them, it may lie beside it by a rounded unit, over a neighbour that is less steep.
+    let steep = [one, other].map(|face| HidingFace::new(face.corners));
+    let raised = ends.map(|end| {
+        let depths = steep.iter().flatten().map(|face| face.nearest_around(end));
+        LinePoint {
+            depth: depths.fold(end.depth, i32::max),
+            ..end
+        }
+    });
     Some(PartedLine {
         model: one.model.min(other.model),
         edge: None,
-        ends: junction::<D>([one.corners, other.corners])?,
+        ends: raised,
         kind: PartKind::Intersection,
     })
 }

@@ -76,8 +76,8 @@ use pairs::Extents;
 use sort::{Sort, from_back};
 use waiting::{Condition, Waiting};
 
-/// The painter's algorithm with splits ([`Visibility`](crate::visible::Visibility)): it sorts the faces by depth and paints them from back to front. Take it
-/// where few faces overlap, or to paint over what is behind.
+/// The painter's algorithm with splits ([`Visibility`](crate::visible::Visibility)): it sorts the faces by depth and paints them
+/// from back to front. Take it where few faces overlap, or to paint over what is behind.
 ///
 /// `FACES` is the greatest number of faces in what is drawn at once, and some more for their parts; `SPLITS` is the number of
 /// conditions on parts of faces that wait, two for each face that is split once. With fewer of them, or none, the
