@@ -20,7 +20,8 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
     /// the target they draw on: kolibri, embedded-layout, and widgets that align to the screen. The band itself reports the
     /// few rows that it holds, which is what lets shapes skip it.
     ///
-    /// What is drawn is the same; what falls outside of the band is dropped. zrow's own shapes are drawn on the band itself.
+    /// Drawing on this target gives the pixels that drawing on the band gives, and what lies outside of the band is dropped. zrow's
+    /// own shapes need it not: they are drawn on the band.
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::*};

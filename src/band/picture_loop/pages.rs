@@ -1,7 +1,7 @@
 //! Pages: eight rows of one-bit pixels, a byte a column, as OLED controllers take them.
 //!
-//! A controller such as the SSD1306 has its memory in pages of eight rows. A byte holds eight pixels one below the other, the topmost one
-//! in the lowest bit, so that a row alone cannot be sent without the seven others of its page:
+//! A controller such as the SSD1306 has its memory in pages of eight rows. A byte holds eight pixels one below the other, the
+//! topmost one in the lowest bit, so that a row alone cannot be sent without the seven others of its page:
 //!
 //! ```text
 //!              column 0  column 1  column 2
@@ -26,16 +26,16 @@ use crate::{
 /// Rows of a page.
 const PAGE_ROWS: i32 = 8;
 
-/// Collects the rows of bands in pages of eight rows, for OLED and LCD controllers whose bytes are vertical: SSD1306, SH1106, SSD1309,
-/// ST7565, PCD8544.
+/// Collects the rows of bands in pages of eight rows, for OLED and LCD controllers whose bytes are vertical: SSD1306, SH1106,
+/// SSD1309, ST7565, PCD8544.
 ///
 /// Bands of one row are enough: with 128 columns the row takes 128 bytes and the page 128 more, where a band of eight rows
 /// takes 1,024. The sink hands out each [`Page`] as soon as its last row has come, and the last page of the area
 /// also where the area ends within it; what lies outside of the area is off there. A picture that is dithered goes through
 /// [`Dithered`](crate::band::Dithered) around this sink.
 ///
-/// After an error of the closure the next picture is whole again, from its first page on. A controller whose command was cut off has to be
-/// initialized before: it takes the next bytes for the rest of the command.
+/// After an error of the closure the next picture is whole again, from its first page on. A controller whose command was cut off
+/// has to be initialized before: it takes the next bytes for the rest of the command.
 ///
 /// RAM: a byte a column, which the caller lends, and 24 bytes and the closure for the sink on a 32-bit machine.
 ///
@@ -81,8 +81,8 @@ pub struct Page<'a> {
 impl<'a, F> PagesSink<'a, F> {
     /// A sink for pictures of an area, which hands each page to a closure `FnMut(Page) -> Result<(), E>`.
     ///
-    /// `area` is that of the [`PictureLoop`](crate::band::PictureLoop); its row 0 is the top of the panel, so that its pages begin at
-    /// multiples of eight. What bands have outside of it is not sent.
+    /// `area` is that of the [`PictureLoop`](crate::band::PictureLoop); its row 0 is the top of the panel, so that its pages begin
+    /// at multiples of eight. What bands have outside of it is not sent.
     ///
     /// # Errors
     /// [`TooSmall::PageBytes`] where `page` has fewer bytes than the area has columns.
@@ -153,8 +153,8 @@ impl<O: Order, E, F: FnMut(Page<'_>) -> Result<(), E>> Sink<BinaryColor, O> for 
 impl Page<'_> {
     /// The commands that tell an SSD1306 or SSD1309 in horizontal addressing mode (`20 00`) where the bytes belong.
     ///
-    /// `first_column` is the column of the controller's memory in which the panel's column 0 lies: 0 on panels of 128 columns, 28 on those of
-    /// 72 x 40, 32 on those of 64 columns.
+    /// `first_column` is the column of the controller's memory in which the panel's column 0 lies: 0 on panels of 128 columns, 28
+    /// on those of 72 x 40, 32 on those of 64 columns.
     pub fn ssd1306_window(&self, first_column: u8) -> [u8; 6] {
         let (left, page) = self.position(first_column);
         let right = left.wrapping_add(self.bytes.len() as u8).wrapping_sub(1);

@@ -25,17 +25,17 @@ use crate::{
     surface::{BandColor, Order},
 };
 
-/// A sink that rotates each band clockwise and hands it to another sink, for panels that are mounted sideways and whose controller
-/// cannot exchange rows and columns, as the SSD1306 and those of most e-paper cannot.
+/// A sink that rotates each band clockwise and hands it to another sink, for panels that are mounted sideways and whose
+/// controller cannot exchange rows and columns, as the SSD1306 and those of most e-paper cannot.
 ///
-/// The picture loop draws the picture as the viewer sees it. The panel's box begins where the picture's does: a
-/// picture of 64 x 128 pixels at the origin goes to a panel of 128 x 64, from (0, 0) on. Bands go to the panel from its right to its left
-/// side after 90 degrees, from its left to its right after 270. Where the other sink packs pixels into bytes, the rows of a band have
-/// to be whole bytes of the panel: [`PictureLoop::rows`](crate::band::PictureLoop::rows) of 8 for one-bit pixels. A
+/// The picture loop draws the picture as the viewer sees it. The panel's box begins where the picture's does: a picture of
+/// 64 x 128 pixels at the origin goes to a panel of 128 x 64, from (0, 0) on. Bands go to the panel from its right to its left
+/// side after 90 degrees, from its left to its right after 270. Where the other sink packs pixels into bytes, the rows of a band
+/// have to be whole bytes of the panel: [`PictureLoop::rows`](crate::band::PictureLoop::rows) of 8 for one-bit pixels. A
 /// [`PagesSink`](crate::band::PagesSink) cannot follow, since it needs bands from top to bottom.
 ///
-/// Cost: a band of one row is sent as one column as it is, or reversed; one of more rows is transposed in place, with a division by the number of
-/// rows for each of 3 to 7 steps a pixel (counted with 2 to 16 rows of 128 to 320 pixels). RAM: 20 bytes beside the other sink.
+/// Cost: a band of one row is sent as one column as it is, or reversed. One of more rows is transposed in place, in 3 to 7 steps a
+/// pixel (counted with 2 to 16 rows of 128 to 320 pixels), each a product and no division. RAM: 20 bytes beside the other sink.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
@@ -57,7 +57,7 @@ pub struct Rotated<S> {
     quarter_turns: QuarterTurns,
 }
 
-/// How far a picture is rotated clockwise.
+/// By how many quarter turns, clockwise, a picture is rotated on its way to the panel.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 enum QuarterTurns {
     One,
@@ -66,8 +66,8 @@ enum QuarterTurns {
 }
 
 impl<S> Rotated<S> {
-    /// Rotates bands of a picture by 90 degrees clockwise: its first row becomes the last column. What would lie beyond the number range of a
-    /// `Point` is not sent.
+    /// Rotates bands of a picture by 90 degrees clockwise: its first row becomes the last column. What would lie beyond the number
+    /// range of a `Point` is not sent.
     pub fn by_90(picture: Rectangle, sink: S) -> Self {
         Self::new(picture, sink, QuarterTurns::One)
     }
@@ -77,8 +77,8 @@ impl<S> Rotated<S> {
         Self::new(picture, sink, QuarterTurns::Two)
     }
 
-    /// Rotates bands of a picture by 270 degrees clockwise: its first row becomes the first column, from bottom to top. What would lie
-    /// beyond the number range of a `Point` is not sent.
+    /// Rotates bands of a picture by 270 degrees clockwise: its first row becomes the first column, from bottom to top. What would
+    /// lie beyond the number range of a `Point` is not sent.
     pub fn by_270(picture: Rectangle, sink: S) -> Self {
         Self::new(picture, sink, QuarterTurns::Three)
     }
@@ -91,7 +91,8 @@ impl<S> Rotated<S> {
         }
     }
 
-    /// Where a part of the picture lies on the panel; `None` where that is beyond the number range.
+    /// The window of the panel that a part of the picture covers after its rotation; `None` where it would not fit the number
+    /// range of a `Point`.
     fn on_the_panel(&self, part: Window) -> Option<Window> {
         let Window {
             left,
@@ -150,7 +151,11 @@ fn transpose<W: Copy>(words: &mut [W], rows: usize, columns: usize) {
     if rows <= 1 || columns <= 1 {
         return;
     }
-    let source = |index: usize| index % rows * columns + index / rows;
+    let divisor = Divisor::new(rows, columns);
+    let source = |index: usize| {
+        let (quotient, remainder) = divisor.divide(index);
+        remainder * columns + quotient
+    };
     let cells = Cell::from_mut(words).as_slice_of_cells();
     for (index, cell) in cells.iter().enumerate() {
         let mut from = source(index);
@@ -160,6 +165,41 @@ fn transpose<W: Copy>(words: &mut [W], rows: usize, columns: usize) {
         if let Some(other) = cells.get(from) {
             cell.set(other.replace(cell.get()));
         }
+    }
+}
+
+/// The number of rows of a matrix, by which indices of its words are divided: by a product with its reciprocal, and at most a few
+/// subtractions.
+#[derive(Copy, Clone)]
+struct Divisor {
+    rows: usize,
+    /// `2^shift / rows`, rounded down.
+    reciprocal: usize,
+    shift: u32,
+}
+
+impl Divisor {
+    /// For indices below `rows * columns`; there is one row at least.
+    fn new(rows: usize, columns: usize) -> Self {
+        // An index is below rows * columns and the reciprocal at most 2^shift / rows: the product is below columns * 2^shift.
+        let shift = columns.leading_zeros().min(16);
+        Self {
+            rows,
+            reciprocal: (1 << shift) / rows.max(1),
+            shift,
+        }
+    }
+
+    /// The quotient and the remainder.
+    fn divide(&self, index: usize) -> (usize, usize) {
+        // The reciprocal lacks less than 1, so that the quotient lacks less than index / 2^shift + 1.
+        let mut quotient = (index * self.reciprocal) >> self.shift;
+        let mut remainder = index - quotient * self.rows;
+        while remainder >= self.rows {
+            remainder -= self.rows;
+            quotient += 1;
+        }
+        (quotient, remainder)
     }
 }
 
