@@ -22,7 +22,7 @@ use zrow::{
 use zrow_methods::LookOf;
 
 use crate::{
-    families::scene::{AnyScene, Kind, Large, Mesh, case_of_each_kind, colors, models},
+    families::any_scene::{AnyScene, Kind, Large, case_of_each_kind, colors, models},
     picture::{Canvas, is_same, sure},
     target::{Case, Verdict},
     values::{Int, List, Spot},
@@ -121,7 +121,7 @@ impl DepthStateCase {
         };
         let lines: Vec<DepthLine<D>> = lines.map(ends).collect();
         let (mut polygon, mut small) = (DepthPolygon::<D, 256>::new(), DepthPolygon::<D, 3>::new());
-        let contours: Vec<&[[i16; 3]]> = meshes.iter().map(Mesh::contour).collect();
+        let contours: Vec<&[[i16; 3]]> = meshes.iter().map(|mesh| mesh.vertices.as_slice()).collect();
         let rule = if self.is_nonzero {
             FillRule::NonZero
         } else {
@@ -129,8 +129,8 @@ impl DepthStateCase {
         };
         if let Some(mesh) = meshes.first() {
             // Seven corners a contour; each of six planes makes at most three of two.
-            prepared.prepare_polygon(&mut polygon, mesh.pose(), &contours, rule)?;
-            let fits = prepared.prepare_polygon(&mut small, mesh.pose(), &contours, rule);
+            prepared.prepare_polygon(&mut polygon, &mesh.pose, &contours, rule)?;
+            let fits = prepared.prepare_polygon(&mut small, &mesh.pose, &contours, rule);
             ensure!(matches!(fits, Ok(()) | Err(TooSmall::Edges(4..=256))), "{fits:?}");
         }
         let mut draw = |part: Window, other: &mut Prepared<'_, '_, Look<S, D>>| {

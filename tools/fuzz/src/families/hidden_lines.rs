@@ -11,7 +11,7 @@ use zrow::{
 use zrow_methods::LookOf;
 
 use crate::{
-    families::scene::{AnyScene, Kind, Mesh, case_of_each_kind},
+    families::any_scene::{AnyScene, Kind, Mesh, case_of_each_kind},
     target::{Case, Verdict},
     values::List,
 };

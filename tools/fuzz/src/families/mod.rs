@@ -1,5 +1,6 @@
 //! The targets, a folder or a file for each module of zrow.
 
+pub mod any_scene;
 pub mod band;
 pub mod clip;
 pub mod coverage;

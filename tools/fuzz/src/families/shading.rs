@@ -20,7 +20,7 @@ use zrow::{
 };
 
 use crate::{
-    families::scene::{AnyPose, AnyView, Coordinate},
+    families::any_scene::{AnyPose, AnyView, Coordinate},
     target::{Case, Verdict},
     values::{Int, List, Number},
 };

@@ -16,7 +16,7 @@ use zrow::{
 use zrow_methods::LookOf;
 
 use crate::{
-    families::scene::{AnyScene, Kind, case_of_each_kind, color},
+    families::any_scene::{AnyScene, Kind, case_of_each_kind, color},
     picture::{Canvas, background, is_same},
     target::{Case, Verdict},
 };
