@@ -42,7 +42,7 @@ impl Wires {
         }
     }
 
-    /// What came since the last call.
+    /// The bytes that were recorded since this was last asked for.
     fn take(&self) -> Vec<Command> {
         std::mem::take(&mut self.0.borrow_mut().1)
     }

@@ -59,7 +59,7 @@ impl Scene for Needle {
     }
 }
 
-/// Where the needle points in a frame: it swings by 3/8 of a turn to both sides of the upper end.
+/// The tip of the gauge's needle in a frame. The needle swings from upright by 3/8 of a turn to both sides.
 fn tip(frame: u32) -> Point {
     let swing = (sine(frame % FRAMES * TURN / FRAMES) * (TURN as i32 * 3 / 8)) >> 14;
     around(CENTER, NEEDLE_LENGTH, (TURN as i32 + swing) as u32)

@@ -14,14 +14,16 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use embedded_hal::{
-    delay::DelayNs,
     digital::{self, OutputPin},
     spi::{self, Operation, SpiDevice},
 };
 use mipidsi::{Builder, interface::SpiInterface, models::ILI9341Rgb565};
 use zrow::band::{BigEndian, DisplaySink, LittleEndian, LoopError, OverlappingSink, PictureLoop};
 
-use crate::picture_loop::{full_frame, scene};
+use crate::{
+    mipidsi::NoDelay,
+    picture_loop::{full_frame, scene},
+};
 
 /// Two bands of two rows and one of one: 143 bytes with the commands of their windows.
 const AREA: Rectangle = Rectangle::new(Point::new(0, 0), Size::new(11, 5));
@@ -190,12 +192,6 @@ impl OutputPin for Shared {
         self.0.borrow_mut().is_data = true;
         Ok(())
     }
-}
-
-struct NoDelay;
-
-impl DelayNs for NoDelay {
-    fn delay_ns(&mut self, _: u32) {}
 }
 
 /// Draws two frames by mipidsi, of which the first one has a fault, and checks the second one.

@@ -47,7 +47,7 @@ struct Wires {
 struct Recorder(Rc<RefCell<Wires>>);
 
 impl Recorder {
-    /// What came since the last call.
+    /// The bytes that were recorded since this was last asked for.
     fn take(&self) -> Vec<Command> {
         std::mem::take(&mut self.0.borrow_mut().commands)
     }
@@ -97,7 +97,8 @@ impl OutputPin for DataPin {
     }
 }
 
-struct NoDelay;
+/// Waits for nothing: recorded wires are ready at once.
+pub struct NoDelay;
 
 impl DelayNs for NoDelay {
     fn delay_ns(&mut self, _: u32) {}

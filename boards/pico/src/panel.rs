@@ -33,9 +33,9 @@ const WRITE_PIXELS: u16 = 0x2c;
 /// Why a band cannot be sent.
 #[derive(Debug)]
 pub enum Error {
-    /// The band before it is still under way.
+    /// The DMA still sends another band.
     Busy,
-    /// It is not as large as its buffer, all of which the DMA sends, or not within the panel.
+    /// The band is not as large as its buffer, all of which the DMA sends, or not within the panel.
     Area,
 }
 

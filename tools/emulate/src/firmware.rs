@@ -11,8 +11,8 @@ use std::{
 /// Long enough to fetch and build everything, `core` included, on a slow machine.
 const BUILD_TIMEOUT: Duration = Duration::from_secs(20 * 60);
 
-/// Builds the firmware of the board whose folder has that name, and says where the program is. Cargo's own progress and the script's advice what to install
-/// go to the terminal.
+/// Builds the firmware of the board whose folder has that name, and says where the program is. Cargo's own progress and the
+/// script's advice what to install go to the terminal.
 pub fn build(name: &str, target: &str) -> Result<PathBuf> {
     let boards = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../boards");
     let board = boards.join(name);

@@ -28,7 +28,6 @@ pub fn all() -> Vec<Case> {
         .chain(crowds())
         .chain(squares())
         .chain(hidden_surfaces())
-        .chain(convex_solid())
         .chain(hidden_lines())
         .chain(pictures())
         .chain(contours())
@@ -407,9 +406,10 @@ fn squares() -> impl Iterator<Item = Case> {
     })
 }
 
-/// A torus of small faces by each method of visibility: preparing and drawing in one band.
+/// Methods of hidden surfaces: preparing a frame and drawing it in one band.
 fn hidden_surfaces() -> impl Iterator<Item = Case> {
-    let methods = [
+    let torus = ["hidden_surfaces", "torus in one band"];
+    let all = [
         ("row", "the depth row"),
         ("intervals", "intervals"),
         ("buffer", "a depth buffer"),
@@ -420,69 +420,46 @@ fn hidden_surfaces() -> impl Iterator<Item = Case> {
         ("grid", "rays through a grid"),
         ("one", "one depth, pixel by pixel"),
     ];
-    [V7EM, V6M].into_iter().flat_map(move |target| {
-        methods.into_iter().map(move |(variant, method)| Case {
-            name: format!("hidden_surfaces.{variant}"),
-            title: format!("torus in one band by {method}"),
-            target,
-            budget: None,
-            cycles_budget: None,
-            source: Source::Count {
-                firmware: "hidden_surfaces",
-                count: "hidden_surfaces",
-                variant,
-                peer: Peer::None,
-            },
-        })
-    })
+    // Of a convex solid no face hides another.
+    let solid = ["convex_solid", "icosphere in one band"];
+    let for_solids = [("row", "the depth row"), ("sort", "the painter's algorithm")];
+    by_methods("hidden_surfaces", torus, all).chain(by_methods("hidden_surfaces", solid, for_solids))
 }
 
-/// An icosphere, of which no face hides another, by the depth row and by the painter's algorithm, in one band.
-fn convex_solid() -> impl Iterator<Item = Case> {
-    let methods = [("row", "the depth row"), ("sort", "the painter's algorithm")];
-    [V7EM, V6M].into_iter().flat_map(move |target| {
-        methods.into_iter().map(move |(variant, method)| Case {
-            name: format!("convex_solid.{variant}"),
-            title: format!("icosphere in one band by {method}"),
-            target,
-            budget: None,
-            cycles_budget: None,
-            source: Source::Count {
-                firmware: "hidden_surfaces",
-                count: "convex_solid",
-                variant,
-                peer: Peer::None,
-            },
-        })
-    })
-}
-
-/// The teapot, and two solids that go through each other, by each method of hidden lines: preparing, and finding the parts of edges.
+/// Methods of hidden lines: preparing a frame, and finding the parts of its edges.
 fn hidden_lines() -> impl Iterator<Item = Case> {
-    let scenes = [
-        ("hidden_lines.teapot", "edges of the teapot"),
-        ("hidden_lines.solids", "edges of two cubes, and their intersections"),
+    let teapot = ["hidden_lines.teapot", "edges of the teapot"];
+    let solids = [
+        "hidden_lines.solids",
+        "edges of two cubes that go through each other, and their intersections",
     ];
-    let methods = [
+    let all = [
         ("segments", "face against segment"),
         ("appel", "Appel"),
         ("roberts", "Roberts"),
     ];
+    by_methods("hidden_lines", teapot, all).chain(by_methods("hidden_lines", solids, all))
+}
+
+/// A scene, by the name and the title of its counts, by several methods, by the name and the title of each.
+fn by_methods<const METHODS: usize>(
+    firmware: &'static str,
+    [count, scene]: [&'static str; 2],
+    methods: [(&'static str, &'static str); METHODS],
+) -> impl Iterator<Item = Case> {
     [V7EM, V6M].into_iter().flat_map(move |target| {
-        scenes.into_iter().flat_map(move |(count, scene)| {
-            methods.into_iter().map(move |(variant, method)| Case {
-                name: format!("{count}.{variant}"),
-                title: format!("{scene} by {method}"),
-                target,
-                budget: None,
-                cycles_budget: None,
-                source: Source::Count {
-                    firmware: "hidden_lines",
-                    count,
-                    variant,
-                    peer: Peer::None,
-                },
-            })
+        methods.into_iter().map(move |(variant, method)| Case {
+            name: format!("{count}.{variant}"),
+            title: format!("{scene} by {method}"),
+            target,
+            budget: None,
+            cycles_budget: None,
+            source: Source::Count {
+                firmware,
+                count,
+                variant,
+                peer: Peer::None,
+            },
         })
     })
 }
