@@ -7,7 +7,7 @@ use crate::{
     view::{DepthWidth, ScreenPrecision},
     visible::{
         face_table::{FaceTable, NONE},
-        hidden_surfaces::span_scan_line::row_span::RowSpan,
+        hidden_surfaces::span_scan_line::row_span::{RowSpan, SlotsInRow, SpanInSlot},
     },
 };
 
@@ -53,16 +53,41 @@ impl<'c, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> C
         counters.intervals = counters.intervals.wrapping_add(1);
     }
 
-    /// The nearest of some spans at a column, all of which have it.
+    /// The nearest of some spans at a column, at which all of them have begun and some may have ended.
     #[inline]
-    pub(super) fn nearest<'s>(&mut self, spans: &'s [RowSpan], column: i32) -> Option<&'s RowSpan> {
-        let (mut nearest, others) = spans.split_first()?;
-        for span in others {
-            if self.is_in_front(span, nearest, column) {
-                nearest = span;
+    pub(super) fn nearest(
+        &mut self,
+        (slots, spans): (&SlotsInRow<'_, S, H>, &[SpanInSlot]),
+        column: i32,
+    ) -> Option<RowSpan> {
+        let mut there = spans.iter().filter(|span| span.after() > column);
+        let mut nearest = there.next()?;
+        let mut depth = D::from_interpolated(slots.depth_at(nearest, column)?);
+        for span in there {
+            self.count_comparison();
+            let own = D::from_interpolated(slots.depth_at(span, column)?);
+            if own > depth || (own == depth && self.comes_first(slots.node(span), slots.node(nearest))) {
+                (nearest, depth) = (span, own);
             }
         }
-        Some(nearest)
+        slots.with_depths(nearest)
+    }
+
+    /// Whether a face that is in a slot is hidden by another one at two columns that both cover, because it is so far behind that
+    /// the stored depths differ. `false` where that takes a closer look.
+    #[inline]
+    pub(super) fn is_far_behind(
+        &mut self,
+        (slots, span): (&SlotsInRow<'_, S, H>, &SpanInSlot),
+        other: &RowSpan,
+        columns: [i32; 2],
+    ) -> bool {
+        columns.into_iter().all(|column| {
+            self.count_comparison();
+            let own = slots.depth_at(span, column).unwrap_or(0);
+            let others = other.depth_at(column);
+            own <= others && others - own >= Self::STORED_UNIT
+        })
     }
 
     /// The nearer of two spans at a column; the second one begins there or left of it, and may have ended.
@@ -74,19 +99,6 @@ impl<'c, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> C
             Some(nearest) if !self.is_in_front(span, &nearest, column) => Some(nearest),
             _ => Some(*span),
         }
-    }
-
-    /// The end of an interval in which a face is seen that is the nearest at its first column, among the spans that have this
-    /// column.
-    #[inline]
-    pub(super) fn end_among(&mut self, nearest: &RowSpan, spans: &[RowSpan], column: i32) -> i32 {
-        let mut end = nearest.after();
-        for other in spans {
-            if other.node != nearest.node {
-                end = self.end_before(nearest, other, column, end);
-            }
-        }
-        end
     }
 
     /// The end of an interval in which a face is seen: the first column from one on at which another one is seen in front of
@@ -103,8 +115,7 @@ impl<'c, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> C
     /// Whether a face is seen in front of another one at a column that both cover.
     #[inline]
     pub(super) fn is_in_front(&mut self, span: &RowSpan, other: &RowSpan, column: i32) -> bool {
-        let counters = &mut *self.counters;
-        counters.comparisons = counters.comparisons.wrapping_add(1);
+        self.count_comparison();
         let (own, others) = (span.stored_at::<D>(column), other.stored_at::<D>(column));
         own > others || (own == others && self.comes_first(span.node, other.node))
     }
@@ -113,11 +124,17 @@ impl<'c, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> C
     /// at which that is true.
     #[inline]
     fn is_behind(&mut self, span: &RowSpan, other: &RowSpan, column: i32) -> bool {
-        let counters = &mut *self.counters;
-        counters.comparisons = counters.comparisons.wrapping_add(1);
+        self.count_comparison();
         let (own, others) = (span.depth_at(column), other.depth_at(column));
         // Not nearer, and so far behind that the stored depths differ, or later in the order of models.
         own <= others && (others - own >= Self::STORED_UNIT || self.comes_first(other.node, span.node))
+    }
+
+    /// The depths of two faces are compared at a column.
+    #[inline]
+    fn count_comparison(&mut self) {
+        let counters = &mut *self.counters;
+        counters.comparisons = counters.comparisons.wrapping_add(1);
     }
 
     /// The least difference of interpolated depths with which the stored ones differ always.

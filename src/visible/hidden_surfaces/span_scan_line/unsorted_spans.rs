@@ -32,7 +32,7 @@ pub(super) fn draw_unsorted<S: ScreenPrecision, D: DepthWidth, H: Shading, P: Pa
             visit(&RowSpan::of(face, slot, row, width));
         }
     };
-    let paint = |painter: &mut P, span: &RowSpan, columns| painter.span_of_active(span.slot, row, columns);
+    let paint = |painter: &mut P, span: &RowSpan, columns| painter.span_of_active(span.slot(), row, columns);
     draw(comparison, width, painter, visit_all, paint);
 }
 
