@@ -103,19 +103,6 @@ impl HidingFace {
 
     /// The tolerance of the face, in units of depth times [`area`](Self::area).
     pub(super) fn tolerance<D: DepthWidth>(&self) -> i128 {
-        i128::from(tolerance::<D>() * self.area + self.change())
-    }
-
-    /// The depth of a point in the plane of the face, as near as a move by one unit of x and one of y makes it within the face.
-    pub(super) fn nearest_around(&self, point: LinePoint) -> i32 {
-        let change = self.change().checked_div(self.area).unwrap_or_default() + 1;
-        let [a, b, c] = self.corners.map(|corner| corner.depth);
-        // Not beyond the nearest corner, whose depth has 24 bits.
-        (i64::from(point.depth) + change).min(i64::from(a.max(b).max(c))) as i32
-    }
-
-    /// What the depth of the face changes over one unit of x and one of y, in units of depth times [`area`](Self::area).
-    fn change(&self) -> i64 {
         let [a, b, c] = self.corners;
         // How the plane changes with x and y: below 2^48.
         let sum = |of: fn(LinePoint) -> i32| {
@@ -124,7 +111,23 @@ impl HidingFace {
             };
             (part(b, c, a) + part(c, a, b) + part(a, b, c)).abs()
         };
-        sum(|point| point.x) + sum(|point| point.y)
+        i128::from(tolerance::<D>() * self.area + sum(|point| point.x) + sum(|point| point.y))
+    }
+
+    /// Whether a point lies in the face, or not farther beside it than a unit of x and one of y.
+    pub(super) fn is_beside(&self, point: LinePoint) -> bool {
+        let [a, b, c] = self.corners;
+        [[a, b], [b, c], [c, a]].into_iter().all(|[from, to]| {
+            let of_unit = i64::from((to.x - from.x).abs()) + i64::from((to.y - from.y).abs());
+            side([from, to], point) >= -of_unit
+        })
+    }
+
+    /// How many units of depth a point of the face's triangle is behind its plane, rounded up; 0 in front of it.
+    pub(super) fn units_behind(&self, point: LinePoint) -> i32 {
+        let whole = self.behind(point).checked_div(i128::from(self.area));
+        // Depths have 24 bits.
+        whole.unwrap_or_default().clamp(-1, 1 << 24) as i32 + 1
     }
 }
 

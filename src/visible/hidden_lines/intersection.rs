@@ -10,7 +10,8 @@
 //! ```
 //!
 //! Guarantees: each two faces that penetrate each other are found once, but for two of one model that have a corner in common. Both
-//! are seen: the line is hidden elsewhere. Cost: a comparison of rectangles a pair of faces.
+//! are seen: the line is hidden elsewhere. Cost: a comparison of rectangles a pair of faces, and a look at all faces
+//! an intersection.
 //!
 //! Source: that solids which penetrate need new edges: Roberts 1963, "Machine Perception of Three-Dimensional Solids".
 
@@ -22,7 +23,7 @@ use crate::{
         junction::junction,
         line_part::PartKind,
         line_table::{LineFace, LinePoint, LineTable},
-        parts::PartedLine,
+        parts::{PartedLine, at},
     },
 };
 
@@ -48,7 +49,7 @@ where
             }
             if near.meets_face(other) {
                 let intersection = table.face(usize::from(other.index));
-                if let Some(found) = intersection.and_then(|other| intersection_of::<D>(&face, &other)) {
+                if let Some(found) = intersection.and_then(|other| intersection_of(table, &face, &other)) {
                     line(found);
                 }
             }
@@ -56,21 +57,25 @@ where
     }
 }
 
-/// The line in which two faces penetrate each other, as near as it may be by the rounding of its ends; `None` where they do not,
-/// or are of one model and have a corner in common.
-pub(super) fn intersection_of<D: DepthWidth>(one: &LineFace, other: &LineFace) -> Option<PartedLine> {
-    if one.model == other.model && one.corners.iter().any(|corner| other.corners.contains(corner)) {
+/// The line in which two faces penetrate each other; `None` where they do not, or are of one model and have a corner in common.
+///
+/// Its ends are rounded: where the line runs along a side of one of the faces, it may lie beside it, behind the face that has the
+/// side too and is less steep. The line is raised to the depth of that face.
+pub(super) fn intersection_of<S, D, T>(table: &T, one: &LineFace, other: &LineFace) -> Option<PartedLine>
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    T: LineTable<S, D>,
+{
+    if one.model == other.model && common_corners(one, other) > 0 {
         return None;
     }
     let ends = junction::<D>([one.corners, other.corners])?;
-    // Where the line leaves one of them, it may lie beside it by a rounded unit, over a neighbour that is less steep.
-    let steep = [one, other].map(|face| HidingFace::new(face.corners));
-    let raised = ends.map(|end| {
-        let depths = steep.iter().flatten().map(|face| face.nearest_around(end));
-        LinePoint {
-            depth: depths.fold(end.depth, i32::max),
-            ..end
-        }
+    let behind = [one, other].map(|face| behind_neighbours(table, face, ends));
+    let raised = ends.map(|end| LinePoint {
+        // Depths have 24 bits.
+        depth: (end.depth + behind.into_iter().fold(0, i32::max)).min((1 << 24) - 1),
+        ..end
     });
     Some(PartedLine {
         model: one.model.min(other.model),
@@ -78,4 +83,35 @@ pub(super) fn intersection_of<D: DepthWidth>(one: &LineFace, other: &LineFace) -
         ends: raised,
         kind: PartKind::Intersection,
     })
+}
+
+/// How many corners two faces have in common.
+fn common_corners(one: &LineFace, other: &LineFace) -> usize {
+    one.corners
+        .iter()
+        .filter(|corner| other.corners.contains(corner))
+        .count()
+}
+
+/// How far a line in a face is at most behind those faces that have a side of it and hide nothing of the line but what is a unit
+/// beside the face.
+fn behind_neighbours<S, D, T>(table: &T, face: &LineFace, line: [LinePoint; 2]) -> i32
+where
+    S: ScreenPrecision,
+    D: DepthWidth,
+    T: LineTable<S, D>,
+{
+    let Some(plane) = HidingFace::new(face.corners) else {
+        return 0;
+    };
+    let neighbours = table
+        .faces()
+        .filter(|other| other.is_seen && other.model == face.model && common_corners(face, other) == 2);
+    let behind = neighbours.filter_map(|other| {
+        let other = HidingFace::new(other.corners)?;
+        let hidden = other.hidden::<D>(line)?.map(|parameter| at(&line, parameter));
+        let is_beside = hidden.iter().all(|point| plane.is_beside(*point));
+        is_beside.then(|| hidden.map(|point| other.units_behind(point)))
+    });
+    behind.flatten().fold(0, i32::max)
 }

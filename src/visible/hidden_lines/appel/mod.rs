@@ -323,7 +323,7 @@ where
             let Some(other) = seen(&beside).filter(|other| one.meets(other)) else {
                 continue;
             };
-            if let Some(found) = intersection_of::<D>(&face, &beside) {
+            if let Some(found) = intersection_of(table, &face, &beside) {
                 line(found, [one, other]);
             }
         }
