@@ -107,9 +107,23 @@ pub struct Prepared<'f, 'm, L: Look> {
 }
 
 impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
-    /// Whether other methods than the depth row draw the look: one that has one face in each pixel.
-    const IS_DRAWN_BY_METHODS: bool =
-        !L::IS_MULTISAMPLED && !L::Silhouettes::BY_AREA && !L::Shading::HAS_HOLES && !L::Shading::BLENDS;
+    /// Whether methods that paint from back to front draw the look: pixels have one sample.
+    const IS_PAINTED: bool = !L::IS_MULTISAMPLED && !L::Silhouettes::BY_AREA;
+
+    /// Whether methods draw the look that find one face for each pixel.
+    const HAS_OWNERS: bool = Self::IS_PAINTED && !L::Shading::HAS_HOLES && !L::Shading::BLENDS;
+
+    /// Does not compile where a method, which paints from back to front or not, does not draw the look.
+    const fn check_method(paints_from_back: bool) {
+        assert!(
+            Self::IS_PAINTED,
+            "only the depth row draws looks with several samples a pixel or silhouettes by area"
+        );
+        assert!(
+            Self::HAS_OWNERS || paints_from_back,
+            "only the depth row and DepthSort draw looks with holes or translucent faces"
+        );
+    }
 
     /// Prepares a frame in its memory.
     // Inlined, so that it is put together where it stays.
@@ -221,8 +235,9 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// Draws the rows of a band by another method than the depth row: the same picture, in other time and memory.
     ///
     /// A program that compares methods, or has a scene for which one is better, names it here; what is not named is not linked.
-    /// Looks with antialiased silhouettes, several samples a pixel, holes or translucent faces need the depth row: with them
-    /// this does not compile.
+    /// Looks with antialiased silhouettes or several samples a pixel need the depth row: with them this does not compile. Those
+    /// with holes or translucent faces need a method that paints from back to front: the depth row or
+    /// [`DepthSort`](crate::visible::DepthSort).
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -250,12 +265,12 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// # Errors
     /// The method has too little memory: says how much would do. The band is as it was.
-    pub fn draw_by<O: Order>(
+    pub fn draw_by<O: Order, M: Visibility<L::Depth>>(
         &mut self,
-        method: &mut impl Visibility<L::Depth>,
+        method: &mut M,
         band: &mut Band<'_, L::Color, O>,
     ) -> Result<(), TooSmall> {
-        const { assert!(Self::IS_DRAWN_BY_METHODS, "only the depth row draws such looks") }
+        const { Self::check_method(M::PAINTS_FROM_BACK) }
         let window = self.faces.viewport.intersection(&band.window());
         if window.is_empty() {
             return Ok(());
@@ -299,13 +314,13 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// # Errors
     /// The method has too little memory: says how much would do. The band is as it was, and nothing was reported.
-    pub fn draw_by_with<O: Order>(
+    pub fn draw_by_with<O: Order, M: Visibility<L::Depth>>(
         &mut self,
-        method: &mut impl Visibility<L::Depth>,
+        method: &mut M,
         band: &mut Band<'_, L::Color, O>,
         report: impl FnMut(Work),
     ) -> Result<(), TooSmall> {
-        const { assert!(Self::IS_DRAWN_BY_METHODS, "only the depth row draws such looks") }
+        const { Self::check_method(M::PAINTS_FROM_BACK) }
         let window = self.faces.viewport.intersection(&band.window());
         if window.is_empty() {
             return Ok(());

@@ -23,8 +23,13 @@ use crate::{
     surface::Order,
     view::{DepthWidth, ScreenPrecision},
     visible::{
-        DepthRow, active_face::ActiveFace, active_faces::ActiveList, count::Count, divided_runs::DividedRuns,
-        face_table::FaceTable, shaded_span::are_even,
+        DepthRow,
+        active_face::ActiveFace,
+        active_faces::ActiveList,
+        count::Count,
+        divided_runs::DividedRuns,
+        face_table::FaceTable,
+        shaded_span::{are_even, run},
     },
 };
 
@@ -149,6 +154,40 @@ fn for_each_within<S: ScreenPrecision, H: Shading>(
             visit(face, [start, end]);
         }
     });
+}
+
+/// Mixes a span of a translucent face with what the row has, without depths. Columns count from the first of the row.
+pub(super) fn blend_span<S, O, D, H, F>(
+    faces: &F,
+    row: &mut DepthRow<'_, H::Color, O, D>,
+    face: &ActiveFace<S, H>,
+    [mut column, last]: [i32; 2],
+) where
+    S: ScreenPrecision,
+    O: Order,
+    D: DepthWidth,
+    H: Shading,
+    F: FaceTable<S, D, H>,
+{
+    let Some(skin) = faces.skin(face.node).copied() else {
+        return;
+    };
+    let span = face.span();
+    while column < last {
+        let run = run::<S, D, H, F>(face, span, [column, row.y], row.left);
+        let end = run.end.min(last);
+        let words = row.words.get_mut(column as usize..end as usize).unwrap_or_default();
+        let mut values = run.values;
+        for (word, x) in words.iter_mut().zip(column..) {
+            if let Some(fragment) = F::fragment(&skin, face.word, &values) {
+                let position = Point::new(x + row.left, row.y);
+                *word = O::reorder(F::blend(&skin, fragment, O::reorder(*word), position));
+                faces.count().blended();
+            }
+            H::Attributes::step(&mut values, &run.per_column);
+        }
+        column = end;
+    }
 }
 
 /// Goes over the fragments of a face in some columns. Finds those that come next, or mixes them. Layers count from a column.

@@ -121,8 +121,8 @@
 //! [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes another [`Visibility`]:
 //!
 //! - [`DepthBuffer`]: a depth and a face for each pixel (Catmull 1974). Where memory is plenty.
-//! - [`DepthSort`]: faces sorted by depth and painted from back to front, with splits (Newell, Newell and Sancha 1972). Where
-//!   few faces overlap.
+//! - [`DepthSort`]: faces sorted by depth and painted from back to front, with splits (Newell, Newell and Sancha 1972), also
+//!   translucent ones and those with holes. Where few faces overlap.
 //! - [`GridRayCasting`]: a ray for each pixel that marches through the cells of a grid (Amanatides and Woo 1987). To compare with the
 //!   tree of boxes, which most often takes less.
 //! - [`OneDepth`]: one depth, pixel by pixel (Rogers 1985). Where no memory is left.

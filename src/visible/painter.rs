@@ -7,8 +7,8 @@ use crate::{
     surface::Order,
     view::{DepthWidth, ScreenPrecision},
     visible::{
-        DepthRow, active_face::ActiveFace, active_faces::ActiveList, face_table::FaceTable, shaded_span::shaded_row,
-        work::Work,
+        DepthRow, active_face::ActiveFace, active_faces::ActiveList, blended_row::blend_span, face_table::FaceTable,
+        shaded_span::shaded_row, work::Work,
     },
 };
 
@@ -120,7 +120,9 @@ impl<D: DepthWidth, H: Shading, F, O: Order> BandRows<'_, '_, D, H, F, O> {
         if start >= end {
             return;
         }
-        if H::Attributes::VARY {
+        if face.is_translucent() {
+            blend_span(self.faces, &mut row, face, [start, end]);
+        } else if H::Attributes::VARY {
             shaded_row(self.faces, &mut row).fill_seen(face, [start, end]);
         } else {
             row.fill_span(start, end, face.word);

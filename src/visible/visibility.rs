@@ -22,6 +22,10 @@ impl<D: DepthWidth, M: Method<D>> Visibility<D> for M {}
 // Not re-exported: only prepared frames have the faces that a method takes.
 /// What a method does.
 pub trait Method<D: DepthWidth> {
+    /// Whether all faces are handed over, hidden ones as well, in each pixel from back to front: then faces may have holes, or be
+    /// mixed with what is behind them.
+    const PAINTS_FROM_BACK: bool = false;
+
     /// Finds the faces of a table that are seen in a window, which lies in the viewport and has pixels, and hands them over.
     ///
     /// # Errors

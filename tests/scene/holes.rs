@@ -6,6 +6,7 @@ use zrow::{
     band::Band,
     scene::{Camera, Deep, DepthWidth, Fine, Look, Memory, Model, Pose, Prepared},
     shade::{CutOut, Indexed, IndexedImage, Shading, Textured, TexturedSkin},
+    visible::DepthSort,
 };
 
 use crate::common::meshes::Mesh;
@@ -67,6 +68,29 @@ pub fn drawn<L: Look<Color = Rgb888>>(
         }
     }
     picture
+}
+
+/// The painter's algorithm draws a picture that the depth row has drawn: with room for all parts of faces, for few, and for none.
+pub fn check_painted<L: Look<Color = Rgb888>>(prepared: &mut Prepared<'_, '_, L>, expected: &[u32]) {
+    let [mut none, mut few, mut all] = [const { [UNTOUCHED; WIDTH * HEIGHT] }; 3];
+    for rows in [3, HEIGHT] {
+        for top in (0..HEIGHT).step_by(rows) {
+            let rows = rows.min(HEIGHT - top);
+            let window = Rectangle::new(Point::new(0, top as i32), Size::new(WIDTH as u32, rows as u32));
+            let range = top * WIDTH..(top + rows) * WIDTH;
+            let [mut none, mut few, mut all] = [&mut none, &mut few, &mut all].map(|words| {
+                words[range.clone()].fill(UNTOUCHED);
+                Band::<Rgb888>::new(window, &mut words[range.clone()]).unwrap()
+            });
+            prepared.draw_by(&mut DepthSort::<900, 0>::new(), &mut none).unwrap();
+            prepared.draw_by(&mut DepthSort::<900, 9>::new(), &mut few).unwrap();
+            prepared.draw_by(&mut DepthSort::<900, 900>::new(), &mut all).unwrap();
+        }
+        for (words, parts) in [(&none, "no"), (&few, "few"), (&all, "all")] {
+            let differing = words.iter().zip(expected).position(|(word, expected)| word != expected);
+            assert_eq!(differing, None, "painted in bands of {rows} rows, {parts} parts");
+        }
+    }
 }
 
 /// A model of each single face, in the order of models and faces.
@@ -152,6 +176,7 @@ fn check<L: Look<Color = Rgb888>>(
             assert!(of_one == picture, "with one slot, in bands of {rows} rows, {always}");
         }
     }
+    check_painted(&mut many.prepare(&camera, &models).unwrap(), &picture);
     holes
 }
 

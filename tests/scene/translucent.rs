@@ -17,7 +17,8 @@ use crate::common::meshes::{Mesh, cube, torus};
 use crate::common::{cases, config};
 use crate::depth_row::{faces, pose};
 use crate::holes::{
-    EvenHoles, HEIGHT, Holed, Pattern, UNTOUCHED, WIDTH, any_coordinates, drawn, leak, single, skins, twice,
+    EvenHoles, HEIGHT, Holed, Pattern, UNTOUCHED, WIDTH, any_coordinates, check_painted, drawn, leak, single, skins,
+    twice,
 };
 use crate::numbered_scene::area;
 use crate::reference::nearest_faces::Depth;
@@ -157,6 +158,7 @@ where
         assert!(of_one == picture, "with one slot, in bands of {rows} rows");
     }
     in_columns(&mut many.prepare(&camera, &models).unwrap(), &picture);
+    check_painted(&mut many.prepare(&camera, &models).unwrap(), &picture);
     [layers, unsure]
 }
 

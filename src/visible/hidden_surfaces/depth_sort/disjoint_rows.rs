@@ -33,8 +33,9 @@ pub(super) fn paint_disjoint_rows<S: ScreenPrecision, D: DepthWidth, H: Shading>
     window: &Window,
     painter: &mut impl Painter<S, H>,
 ) -> i32 {
-    // Attributes that are divided by the depth need planes, which faces in the order of columns do not have.
-    if H::Attributes::NEED_DEPTH {
+    // Attributes that are divided by the depth need planes, which faces in the order of columns do not have. Rows of looks with
+    // holes or translucent faces are not in that order.
+    if H::Attributes::NEED_DEPTH || H::BLENDS || H::HAS_HOLES {
         return window.top;
     }
     for row in window.top..window.bottom {

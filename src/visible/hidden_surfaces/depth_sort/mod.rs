@@ -40,10 +40,21 @@
 //! ```
 //!
 //! Where there is no room for conditions, the faces of a cycle are painted at once, each in the pixels in which no other one of
-//! them is in front of it. That takes no memory, but each row of each face is compared with all of the others.
+//! them is in front of it. That takes no memory, but each row of each face is compared with all of the others. If what is behind
+//! them may be seen through them, they are painted once for each layer: first each in the pixels in which all others are in
+//! front of it, and so on to those in which none is.
+//!
+//! ```text
+//!     A in front of B in front of C in front of A        layer 2     C . A . B .    behind both others
+//!                                                        layer 1     B . C . A .    behind one
+//!                                                        layer 0     A . B . C .    in front
+//! ```
 //!
 //! Before that, from the top of the window down to the first row in which two faces have a column in common, nothing is sorted:
 //! of a convex solid no face hides another.
+//!
+//! Translucent faces are mixed with what was painted before, and holes show it. Of equally near faces, opaque ones are painted
+//! after translucent ones.
 //!
 //! Guarantees: the picture of the depth row, whatever the capacity for parts. Cost: the sort, for each face a look at all others
 //! whose depths overlap its own (up to the square of their number), and each pixel of each face is painted, hidden or not.
@@ -82,6 +93,8 @@ use waiting::{Condition, Waiting};
 /// `FACES` is the greatest number of faces in what is drawn at once, and some more for their parts; `SPLITS` is the number of
 /// conditions on parts of faces that wait, two for each face that is split once. With fewer of them, or none, the
 /// picture is the same; it takes longer where faces penetrate or overlap in a cycle.
+///
+/// It also draws looks with holes and translucent faces, which are mixed with what was painted behind them.
 ///
 /// RAM: 2 bytes a face, 6 bytes a condition, 40 bytes of counters.
 ///
@@ -141,6 +154,8 @@ impl<const FACES: usize, const SPLITS: usize> Default for DepthSort<FACES, SPLIT
 }
 
 impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> Method<D> for DepthSort<FACES, SPLITS> {
+    const PAINTS_FROM_BACK: bool = true;
+
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where
         S: ScreenPrecision,

@@ -127,7 +127,9 @@ pub(super) fn comes_first<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     face: &Extents<'_, S, D>,
     other: &Extents<'_, S, D>,
 ) -> bool {
-    let (order, of_other) = (faces.order(face.node), faces.order(other.node));
+    // What is mixed with what is behind it is itself behind an opaque face that is as near.
+    let in_layers = |face: &Extents<'_, S, D>| (faces.is_translucent(face.node), faces.order(face.node));
+    let (order, of_other) = (in_layers(face), in_layers(other));
     // Parts of a face that the window's planes cut come in the order of the table.
     let in_table = |face: &Extents<'_, S, D>| (face.rows(), face.node);
     order < of_other || (order == of_other && in_table(face) < in_table(other))

@@ -15,6 +15,9 @@ use super::{
     waiting::PartConditions,
 };
 
+/// Entries of the list, and how many of them are in front of those that are painted.
+type Layer<'e> = (&'e Range<usize>, usize);
+
 impl<S, D, H, F> Sort<'_, S, D, H, F>
 where
     S: ScreenPrecision,
@@ -23,13 +26,16 @@ where
     F: FaceTable<S, D, H>,
 {
     /// Paints entries that begin with the first one, each where it is not behind another one of them, and takes them out of
-    /// the list.
+    /// the list. Where something may be seen through them, those behind others are painted before.
     pub(super) fn paint(&mut self, entries: Range<usize>, painter: &mut impl Painter<S, H>) {
-        for entry in entries.clone() {
-            if entries.len() == 1 && !self.waiting.is_part(entry) {
-                self.paint_whole(entry, painter);
-            } else {
-                self.paint_part(entry, &entries, painter);
+        let layers = if H::BLENDS || H::HAS_HOLES { entries.len() } else { 1 };
+        for layer in (0..layers).rev() {
+            for entry in entries.clone() {
+                if entries.len() == 1 && !self.waiting.is_part(entry) {
+                    self.paint_whole(entry, painter);
+                } else {
+                    self.paint_part(entry, (&entries, layer), painter);
+                }
             }
         }
         self.waiting.remove(entries);
@@ -44,13 +50,13 @@ where
         });
     }
 
-    /// Paints an entry where its conditions hold and it is not behind another one of some entries.
-    fn paint_part(&mut self, entry: usize, entries: &Range<usize>, painter: &mut impl Painter<S, H>) {
+    /// Paints an entry where its conditions hold and it is in a layer of some entries: that many other ones are in front of it.
+    fn paint_part(&mut self, entry: usize, layer: Layer<'_>, painter: &mut impl Painter<S, H>) {
         let (mut others, conditions) = (Others::new(), self.waiting.conditions(entry));
         self.for_each_row(entry, |this, (face, [mut column, end], row)| {
             let mut start = column;
             while column < end {
-                let (is_painted, until) = this.run((&conditions, entries), &mut others, (face, [column, end], row));
+                let (is_painted, until) = this.run((&conditions, layer), &mut others, (face, [column, end], row));
                 if !is_painted {
                     if start < column {
                         painter.span(face, row, [start, column]);
@@ -83,11 +89,11 @@ where
         }
     }
 
-    /// Whether a face with conditions is painted at the first of some columns, together with other entries, and the first column after it
-    /// where that may be different.
+    /// Whether a face with conditions is painted at the first of some columns, in a layer of some entries, and the first column
+    /// after it where that may be different.
     fn run(
         &mut self,
-        (conditions, entries): (&PartConditions, &Range<usize>),
+        (conditions, (entries, layer)): (&PartConditions, Layer<'_>),
         others: &mut Others,
         (face, [column, end], row): InRow<'_, S, H>,
     ) -> (bool, i32) {
@@ -98,13 +104,18 @@ where
             return (false, until);
         }
         let nodes = entries.clone().filter_map(|entry| waiting.node(entry));
+        let mut in_front = 0;
         for node in nodes.filter(|node| *node != face.node) {
             let (relation, end) = others.relation(faces, window, node, (face, [column, end], row), pixels);
             if relation == Some(Relation::Behind) {
-                return (false, end);
+                in_front += 1;
+                if in_front > layer {
+                    // Of more than one, the first to end decides.
+                    return (false, if layer == 0 { end } else { until.min(end) });
+                }
             }
             until = until.min(end);
         }
-        (true, until)
+        (in_front == layer, until)
     }
 }
