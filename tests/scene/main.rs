@@ -26,6 +26,7 @@ mod flight;
 mod fog;
 mod hidden_lines;
 mod hidden_lines_appel;
+mod hidden_lines_kept;
 mod hidden_lines_roberts;
 mod holes;
 mod lighting;
