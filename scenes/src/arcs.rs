@@ -61,27 +61,32 @@ impl Prepared for Arcs {
     }
 }
 
+/// The middle of one of five figures side by side.
+fn middle(index: usize, y: i32) -> Point {
+    Point::new(36 + 62 * index as i32, y)
+}
+
 /// Widths, sweeps of both signs, and rings around one centre.
 fn draw_arcs<O: Order>(band: &mut Band<'_, Rgb565, O>) {
     let arcs = [
-        (1, -30.0, 240.0),
-        (3, 100.0, -200.0),
+        (1, -45.0, 270.0),
+        (3, 45.0, -270.0),
         (8, 135.0, 270.0),
-        (20, 200.0, 60.0),
+        (16, 190.0, 200.0),
     ];
     for (index, (width, start, sweep)) in arcs.into_iter().enumerate() {
-        let left = 8 + 62 * index as i32;
         let style = PrimitiveStyle::with_stroke(AMBER, width);
         shape(
             band,
-            &Arc::with_center(Point::new(left + 27, 49), 50, start.deg(), sweep.deg()).into_styled(style),
+            // Widths differ, outer diameters do not.
+            &Arc::with_center(middle(index, 49), 55 - width, start.deg(), sweep.deg()).into_styled(style),
         );
     }
     for (ring, (color, sweep)) in [(RED, 300.0), (GREEN, 220.0), (BLUE, 130.0)].into_iter().enumerate() {
-        let diameter = 56 - 18 * ring as u32;
+        let diameter = 49 - 17 * ring as u32;
         let whole = PrimitiveStyle::with_stroke(DARK, 6);
         let style = PrimitiveStyle::with_stroke(color, 6);
-        let arc = |sweep: f32| Arc::with_center(Point::new(286, 49), diameter, (-90.0).deg(), sweep.deg());
+        let arc = |sweep: f32| Arc::with_center(middle(4, 49), diameter, (-90.0).deg(), sweep.deg());
         shape(band, &arc(360.0).into_styled(whole));
         shape(band, &arc(sweep).into_styled(style));
     }
@@ -98,22 +103,22 @@ fn draw_sectors<O: Order>(band: &mut Band<'_, Rgb565, O>) {
             .build()
             .into()
     };
+    // The slim ones have their centres lower, so that all stand in the middle of their row.
     let sectors = [
-        (-120.0, 60.0, PrimitiveStyle::with_fill(BLUE)),
-        (-110.0, 40.0, outlined(3, StrokeAlignment::Center)),
-        (30.0, 300.0, outlined(2, StrokeAlignment::Inside)),
-        (15.0, 330.0, outlined(4, StrokeAlignment::Center)),
+        (142, -120.0, 60.0, PrimitiveStyle::with_fill(BLUE)),
+        (142, -110.0, 40.0, outlined(3, StrokeAlignment::Center)),
+        (129, 30.0, 300.0, outlined(2, StrokeAlignment::Inside)),
+        (129, 15.0, 330.0, outlined(4, StrokeAlignment::Inside)),
     ];
-    for (index, (start, sweep, style)) in sectors.into_iter().enumerate() {
-        let middle = Point::new(35 + 62 * index as i32, 129);
+    for (index, (y, start, sweep, style)) in sectors.into_iter().enumerate() {
         shape(
             band,
-            &Sector::with_center(middle, 54, start.deg(), sweep.deg()).into_styled(style),
+            &Sector::with_center(middle(index, y), 55, start.deg(), sweep.deg()).into_styled(style),
         );
     }
     let mut start = -90.0;
     for (color, sweep) in [(RED, 140.0), (AMBER, 95.0), (GREEN, 80.0), (BLUE, 45.0)] {
-        let part = Sector::with_center(Point::new(286, 129), 56, start.deg(), sweep.deg());
+        let part = Sector::with_center(middle(4, 129), 55, start.deg(), sweep.deg());
         shape(band, &part.into_styled(PrimitiveStyle::with_fill(color)));
         start += sweep;
     }

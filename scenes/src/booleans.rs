@@ -115,7 +115,7 @@ const OPERATIONS: [(&str, Operation); 3] = [
 /// Left sides of the pairs and of the results, and the height of a row below the first.
 const PAIR_X: i16 = 56;
 const RESULT_X: [i16; 3] = [124, 190, 256];
-const ROW_Y: i16 = 30;
+const ROW_Y: i16 = 28;
 const ROW_HEIGHT: i16 = 42;
 
 const MOST_CORNERS: usize = 24;
@@ -281,6 +281,12 @@ impl Prepared for Booleans {
                 );
             }
             draw_row(band, row);
+            for (result, x) in row.results.iter().zip(RESULT_X) {
+                if result.count == 0 {
+                    let middle = Point::new(i32::from(x) + 28, i32::from(y) + 15);
+                    label(band, "empty", middle, Alignment::Center, &FONT_5X8, LABEL_COLOR);
+                }
+            }
         }
     }
 }

@@ -36,7 +36,7 @@ const WINDOWS: [Rectangle; 5] = [
     Rectangle::new(Point::new(86, 40), Size::new(60, 66)),
     Rectangle::new(Point::new(18, 92), Size::new(50, 80)),
     Rectangle::new(Point::new(82, 124), Size::new(66, 34)),
-    Rectangle::new(Point::new(38, 186), Size::new(106, 36)),
+    Rectangle::new(Point::new(64, 188), Size::new(82, 36)),
 ];
 
 /// The scene; nothing outlives a row.
@@ -123,7 +123,7 @@ fn draw_picture<T: Target<Color = Rgb565, Error = Infallible>>(target: &mut T, o
         target,
         &Ellipse::with_center(at(106, 140), Size::new(120, 70)).into_styled(ring),
     );
-    let triangle = Triangle::new(at(20, 222), at(84, 112), at(130, 214));
+    let triangle = Triangle::new(at(20, 227), at(84, 112), at(138, 222));
     shape(
         target,
         &triangle.into_styled(PrimitiveStyle::with_fill(rgb(255, 112, 67))),
@@ -131,7 +131,7 @@ fn draw_picture<T: Target<Color = Rgb565, Error = Infallible>>(target: &mut T, o
     let beam = Rectangle::new(at(-60, 176), Size::new(400, 8));
     shape(target, &beam.into_styled(PrimitiveStyle::with_fill(rgb(186, 104, 200))));
     let style = MonoTextStyle::new(&FONT_9X15_BOLD, TITLE_COLOR);
-    let Ok(()) = Text::new("embedded\ngraphics", at(44, 206), style).draw_on(target);
+    let Ok(()) = Text::new("embedded\ngraphics", at(46, 200), style).draw_on(target);
 }
 
 const RAINBOW: [Rgb565; 6] = [

@@ -193,6 +193,7 @@ fn draw_controls<O: Order>(band: &mut Band<'_, Rgb565, O>, path: &Path<'static, 
 }
 
 fn draw_flattened<O: Order>(band: &mut Band<'_, Rgb565, O>) {
+    small(band, "flattened to within", 240, 16);
     for (x, tolerance, name) in FLATTENED {
         small(band, name, 188 + i32::from(x), 112);
         let controls = bent(x);

@@ -133,7 +133,7 @@ impl Scene for Dashboard {
             model.pose = Pose::new(rotation, DISTANCE);
         }
         let mut picture = self.memory.picture(Self::AREA);
-        add_header(&mut picture, frame)?;
+        add_header(&mut picture)?;
         add_dial(&mut picture, speed)?;
         add_needle(&mut picture, dial_angle(speed, TOP_SPEED))?;
         add_readout(&mut picture, speed)?;
@@ -172,7 +172,7 @@ fn dial_angle(value: u32, whole: u32) -> u32 {
     FIRST_ANGLE + SWEEP * value / whole
 }
 
-fn add_header(picture: &mut Panel<'_>, frame: u32) -> Result<(), PrepareError> {
+fn add_header(picture: &mut Panel<'_>) -> Result<(), PrepareError> {
     picture.add(&hanging(
         "zrow",
         Point::new(8, 4),
@@ -180,13 +180,8 @@ fn add_header(picture: &mut Panel<'_>, frame: u32) -> Result<(), PrepareError> {
         &FONT_6X13_BOLD,
         ACCENT,
     ))?;
-    let clock = if (frame / 8).is_multiple_of(2) {
-        "10:24"
-    } else {
-        "10 24"
-    };
     picture.add(&hanging(
-        clock,
+        "10:24",
         Point::new(232, 4),
         Alignment::Right,
         &FONT_6X13_BOLD,

@@ -26,13 +26,13 @@ const LABEL_COLOR: Rgb565 = rgb(150, 165, 190);
 /// Not tested.
 const BLANK: Rgb565 = rgb(28, 34, 46);
 /// Tested, and not inside.
-const IN_VAIN: Rgb565 = rgb(96, 108, 134);
+const IN_VAIN: Rgb565 = rgb(112, 124, 152);
 /// An edge that crosses the row, or a pixel on the boundary.
 const CROSSED: Rgb565 = rgb(255, 202, 40);
 const FILLED: Rgb565 = rgb(38, 198, 218);
 /// A pixel that is filled without a test of its own.
 const ACCEPTED: Rgb565 = rgb(129, 199, 100);
-const REJECTED: Rgb565 = rgb(160, 62, 74);
+const REJECTED: Rgb565 = rgb(206, 78, 92);
 
 /// Tests that a frame adds to each picture.
 const TESTS: u32 = 40;
@@ -47,7 +47,7 @@ const LEGEND: [(&str, Rgb565); 5] = [
     ("accept", ACCEPTED),
     ("reject", REJECTED),
 ];
-const LEGEND_POSITION: Point = Point::new(284, 22);
+const LEGEND_POSITION: Point = Point::new(283, 22);
 
 const fn corner(x: i16, y: i16) -> Corner {
     SubPoint {

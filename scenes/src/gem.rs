@@ -2,7 +2,9 @@
 
 use core::fmt;
 
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use embedded_graphics::{
+    mono_font::ascii::FONT_5X8, pixelcolor::Rgb565, prelude::*, primitives::Rectangle, text::Alignment,
+};
 use fixed::types::{I2F14, I16F16, U0F16};
 use zrow::{
     band::{Band, Order},
@@ -14,7 +16,7 @@ use zrow::{
 use crate::{
     PrepareError, Prepared, Scene,
     meshes::face_set,
-    paint::rgb,
+    paint::{label, rgb},
     sine::TURN,
     standard::{NEAR, angle, model},
     teapots::{one_light, shaded},
@@ -32,6 +34,10 @@ const DISTANCE: I16F16 = I16F16::lit("1960");
 /// From the middle of one gem to that of the next, in units of the vertices.
 const ASIDE: I16F16 = I16F16::lit("1130");
 
+/// What each gem shows, and the column of its middle.
+const CAPTIONS: [(&str, i32); 3] = [("vertices", 63), ("edges", 160), ("facets", 257)];
+
+const LABEL_COLOR: Rgb565 = rgb(150, 165, 190);
 const DIM: Rgb565 = rgb(96, 148, 150);
 const BRIGHT: Rgb565 = rgb(196, 244, 232);
 static COLOR: [Rgb565; 1] = [rgb(52, 214, 178)];
@@ -196,5 +202,15 @@ impl<P: Prepared<Color = Rgb565>> Prepared for Beside<'_, P> {
             let Ok(()) = line.draw(band, color);
         }
         self.filled.draw(band);
+        for (name, x) in CAPTIONS {
+            label(
+                band,
+                name,
+                Point::new(x, 107),
+                Alignment::Center,
+                &FONT_5X8,
+                LABEL_COLOR,
+            );
+        }
     }
 }

@@ -104,7 +104,7 @@ impl Prepared for LineSiblings {
         sibling(band, "supercover", Point::new(right, top), Lines::supercover);
         sibling(
             band,
-            "slope-intercept, float",
+            "slope-intercept",
             Point::new(left, middle),
             Lines::slope_intercept,
         );

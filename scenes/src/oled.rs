@@ -1,5 +1,4 @@
-//! The scene of the 128 x 64 OLED in 16 greys: a 3D object with its name at a depth that its tips pierce, beside an
-//! antialiased gauge.
+//! The scene of the 128 x 64 OLED in 16 greys: a 3D object in a hoop that its tips pierce, and an antialiased gauge.
 
 use core::ops::Range;
 
@@ -7,7 +6,7 @@ use embedded_graphics::{
     mono_font::{MonoFont, MonoTextStyle, ascii::FONT_6X10},
     pixelcolor::Gray4,
     prelude::*,
-    primitives::Rectangle,
+    primitives::{Circle, Rectangle},
     text::{Alignment, Baseline, Text, TextStyleBuilder},
 };
 use fixed::types::{I2F30, I16F16, U0F16, U24F8};
@@ -78,13 +77,24 @@ const WHITE_TEXT: MonoTextStyle<'static, Gray4> = MonoTextStyle::new(&FONT, Gray
 
 const NEAR: I16F16 = I16F16::lit("128");
 const DISTANCE: I16F16 = I16F16::lit("1536");
-/// In front of the cube's sides, behind the octahedron's tips.
-const NAME_DISTANCE: I16F16 = I16F16::lit("1050");
+/// Nearer than the object's middle, farther than the tips and corners that point at the eye.
+const HOOP_DISTANCE: I16F16 = I16F16::lit("1300");
 /// In pixels: the object's 620 units at that distance are 26.
 const FOCAL_LENGTH: I16F16 = I16F16::lit("64");
 
 /// Where the object turns.
 const VIEWPORT: Rectangle = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// Around the middle of the viewport.
+const HOOP: Circle = Circle::new(Point::new(10, 10), 43);
+/// The rows of its black edge, of which half lies outside of the circle.
+const HOOP_ROWS: Range<i32> = 8..55;
+/// White, and edged in black, so that the hoop is seen before every grey: at equal depths, what is drawn first stays.
+const HOOP_STYLES: [PrimitiveStyle<Gray4>; 2] = [
+    PrimitiveStyle::with_stroke(Gray4::WHITE, 2),
+    PrimitiveStyle::with_stroke(Gray4::BLACK, 4),
+];
+/// The left end of the name's baseline, in a corner that the object never reaches.
+const NAME_POSITION: Point = Point::new(1, 62);
 const GAUGE_CENTER: Point = Point::new(96, 36);
 /// Items of the picture: 16 greys, the gauge's ring, 7 ticks, needle and hub, and a number.
 const ITEMS: usize = 27;
@@ -173,7 +183,7 @@ impl Scene for Oled {
     const AREA: Rectangle = AREA;
     const BACKGROUND: Gray4 = Gray4::BLACK;
     const FRAMES: u32 = FRAMES;
-    const PORTRAIT: u32 = 13;
+    const PORTRAIT: u32 = 4;
     const PICTURE: Option<PictureCapacities> = Some(Memory::capacities(0));
     const DEPTH_ROW_BYTES: usize = 2 * VIEWPORT.size.width as usize;
 
@@ -228,36 +238,38 @@ impl Object {
         for model in &mut self.models {
             model.pose = Pose::new(rotation, [I16F16::ZERO, I16F16::ZERO, DISTANCE]);
         }
-        let centered = TextStyleBuilder::new()
-            .alignment(Alignment::Center)
-            .baseline(Baseline::Middle)
-            .build();
-        let name = Text::with_text_style("zrow", VIEWPORT.center(), WHITE_TEXT, centered);
+        let name = Text::new("zrow", NAME_POSITION, WHITE_TEXT);
         Ok(Turned {
             faces: self.memory.prepare(&camera, &self.models)?,
+            hoop_depth: camera.depth_at::<Sub4, u16>(HOOP_DISTANCE),
             name_rows: name.bounding_box().rows(),
             name,
-            name_depth: camera.depth_at::<Sub4, u16>(NAME_DISTANCE),
         })
     }
 }
 
-/// The object as it is in a frame, and its name.
+/// The object as it is in a frame, the hoop around it, and its name.
 #[derive(Debug)]
 struct Turned<'s> {
     faces: scene::Prepared<'s, 'static, Gray4>,
+    hoop_depth: u16,
     name: Text<'static, MonoTextStyle<'static, Gray4>>,
     name_rows: Range<i32>,
-    name_depth: u16,
 }
 
 impl Turned<'_> {
     fn draw<O: Order>(&mut self, band: &mut Band<'_, Gray4, O>) {
         self.faces.draw_with(band, |row| {
-            if self.name_rows.contains(&row.y()) {
-                let Ok(()) = self.name.draw_on(&mut row.at_depth(self.name_depth));
+            if HOOP_ROWS.contains(&row.y()) {
+                for style in HOOP_STYLES {
+                    let Ok(()) = HOOP.into_styled(style).draw_on(&mut row.at_depth(self.hoop_depth));
+                }
             }
         });
+        let rows = band.bounding_box().rows();
+        if rows.start < self.name_rows.end && self.name_rows.start < rows.end {
+            let Ok(()) = self.name.draw_on(band);
+        }
     }
 }
 

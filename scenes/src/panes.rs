@@ -92,7 +92,7 @@ impl Scene for Panes {
     const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(COLUMNS as u32, ROWS as u32));
     const BACKGROUND: Rgb565 = rgb(20, 24, 34);
     const FRAMES: u32 = FRAMES;
-    const PORTRAIT: u32 = 9;
+    const PORTRAIT: u32 = 1;
     const DEPTH_ROW_BYTES: usize = size_of::<[u16; COLUMNS]>();
 
     fn prepare(&mut self, frame: u32) -> Result<Self::Prepared<'_>, PrepareError> {

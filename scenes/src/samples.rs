@@ -7,7 +7,7 @@ use embedded_graphics::{
     mono_font::ascii::FONT_5X8,
     pixelcolor::{Rgb565, raw::RawU16},
     prelude::*,
-    primitives::Rectangle,
+    primitives::{Line, Rectangle},
     text::Alignment,
 };
 use fixed::types::U24F8;
@@ -47,6 +47,14 @@ const PANELS: [(Point, &str); 6] = [
     (Point::new(8, 142), "4 x 4, box"),
     (Point::new(112, 142), "4 x 4, Bartlett"),
     (Point::new(216, 142), "4 x 4, Gaussian"),
+];
+
+/// On the panel whose coverage is blended: a word over one half of the quadrangle, and an arrow from it to the seam, tip first.
+const SEAM_LABEL: Point = Point::new(147, 41);
+const SEAM_ARROW: [(Point, Point); 3] = [
+    (Point::new(144, 59), Point::new(152, 51)),
+    (Point::new(144, 59), Point::new(148, 59)),
+    (Point::new(144, 59), Point::new(144, 55)),
 ];
 
 /// Corners in 1/256 pixel: a quadrangle that is cut in two, and a thin triangle.
@@ -256,6 +264,13 @@ impl Prepared for Samples {
             for (row, words) in (0..).zip(picture.chunks_exact(WIDTH)) {
                 draw_magnified(band, words, position + Point::new(0, row * SCALE as i32));
             }
+        }
+        label(band, "seam", SEAM_LABEL, Alignment::Left, &FONT_5X8, PAPER);
+        for (tip, end) in SEAM_ARROW {
+            shape(
+                band,
+                &Line::new(tip, end).into_styled(PrimitiveStyle::with_stroke(PAPER, 1)),
+            );
         }
     }
 }

@@ -30,7 +30,7 @@ const COLUMNS: [(&str, i32); 6] = [
     ("rectangle", 75),
     ("circle", 121),
     ("ellipse", 167),
-    ("triangle", 213),
+    ("triangle", 215),
     ("line", 252),
     ("polyline", 296),
 ];

@@ -133,7 +133,12 @@ fn draw_limits<O: Order>(band: &mut Band<'_, Rgb565, O>) {
 
 /// Patterns along open and closed paths.
 fn draw_dashes<O: Order>(band: &mut Band<'_, Rgb565, O>) {
-    let names = [("9 6", 46), ("0 8, round", 124), ("10 8 0 8", 202), ("2.5", 280)];
+    let names = [
+        ("dashes 9 6", 46),
+        ("0 8, round", 124),
+        ("10 8 0 8, round", 202),
+        ("2.5, 1 px", 280),
+    ];
     for (name, x) in names {
         small(band, name, Point::new(x, 228), Alignment::Center);
     }

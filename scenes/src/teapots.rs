@@ -20,7 +20,7 @@ use crate::{
 /// From where the teapot fills the width of an upright panel when its spout swings outwards.
 pub(crate) const DISTANCE: I16F16 = I16F16::lit("736");
 /// The frame in which lid, handle and spout are seen.
-pub(crate) const PORTRAIT: u32 = 62;
+pub(crate) const PORTRAIT: u32 = 63;
 /// An upright panel.
 pub(crate) const SIZE: Size = Size::new(240, 320);
 /// Texels of a side of the texture.

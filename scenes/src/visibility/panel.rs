@@ -25,6 +25,9 @@ pub const CELL: u32 = 3;
 const PICTURE: Size = Size::new(COLUMNS as u32 * CELL, ROWS as u32 * CELL);
 pub const PANEL: Size = Size::new(PICTURE.width, PICTURE.height + 30);
 
+/// From the middle of a number to the row below its dark edge, with one row to spare.
+const DIGIT_HEIGHT: i32 = 4;
+
 /// A line between two pixels.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub enum Line {
@@ -131,8 +134,10 @@ impl Panel {
         let colors = picture.points().map(|point| self.color_at(point - position));
         let Ok(()) = band.fill_contiguous(&picture, colors);
         for ([x, y], number) in &self.numbers {
-            let at = position + Point::new(x * CELL as i32, y * CELL as i32) / 2;
-            draw_number(band, at, *number);
+            let at = Point::new(x * CELL as i32, y * CELL as i32) / 2;
+            // A tile at the lower edge may be lower than a digit is high.
+            let y = at.y.min(PICTURE.height as i32 - DIGIT_HEIGHT);
+            draw_number(band, position + Point::new(at.x, y), *number);
         }
         let under = position + Point::new(0, PICTURE.height as i32);
         caption(band, under, [self.name, self.counted.as_str(), self.about]);

@@ -202,7 +202,7 @@ impl Scene for ScanLine {
                 cell.top = panel::Line::Special;
             }
         }
-        self.panel.name = "Depths of the row; the eye is below";
+        self.panel.name = "depths of the row; the eye is below";
         Ok(self)
     }
 }
@@ -248,8 +248,10 @@ fn draw_list<O: Order>(band: &mut Band<'_, Rgb565, O>, row: &Row) {
     // Long enough for any number, as the texts below.
     let _ = write!(text, "row {}: {} active", row.number, row.active.len());
     label(band, &text, LIST, Alignment::Left, &FONT_5X8, TITLE_COLOR);
+    let head = LIST + Point::new(12, 11);
+    label(band, "face: columns", head, Alignment::Left, &FONT_5X8, LABEL_COLOR);
     for (active, index) in row.active.iter().zip(0..) {
-        let at = LIST + Point::new(0, 12 + ENTRY * index);
+        let at = LIST + Point::new(0, 22 + ENTRY * index);
         let swatch = Rectangle::new(at, Size::new(8, 6));
         let color = Subject::color(active.face);
         shape(band, &swatch.into_styled(PrimitiveStyle::with_fill(color)));
