@@ -19,7 +19,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
     ///
     /// A transfer is polled once, so that it starts, then the next band is drawn into the other buffer, then the transfer is
     /// awaited: what overlaps with drawing is what goes on by itself after the first poll. Dropping the future drops the
-    /// transfer under way.
+    /// transfer under way. A program that shows frame after frame lends its closure to each of them: `&mut send`.
     ///
     /// # Errors
     /// As [`draw`](Self::draw).

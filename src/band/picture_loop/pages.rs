@@ -84,6 +84,8 @@ impl<'a, F> PagesSink<'a, F> {
     /// `area` is that of the [`PictureLoop`](crate::band::PictureLoop); its row 0 is the top of the panel, so that its pages begin
     /// at multiples of eight. What bands have outside of it is not sent.
     ///
+    /// A program that shows frame after frame makes a sink for each of them, and lends it the closure: `&mut send`.
+    ///
     /// # Errors
     /// [`TooSmall::PageBytes`] where `page` has fewer bytes than the area has columns.
     pub fn new<E>(area: Rectangle, page: &'a mut [u8], send: F) -> Result<Self, TooSmall>

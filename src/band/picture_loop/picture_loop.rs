@@ -140,6 +140,10 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
 
     /// Draws the whole picture once through one buffer.
     ///
+    /// `scene` draws a band; it returns nothing, or a `Result` whose error ends the picture. A closure that is kept in a variable
+    /// before it is handed over names the type of its band: `|band: &mut Band<'_, Rgb565>| ..`, and
+    /// `|band: &mut Band<'_, Rgb565, BigEndian>| ..` where [`in_order`](Self::in_order) has changed the order of bytes.
+    ///
     /// # Errors
     /// [`LoopError::TooSmall`] before anything is drawn; [`LoopError::Sink`] and [`LoopError::Scene`] with the error of
     /// the sink or the scene, after which nothing more is drawn or sent. The next call draws a whole picture again.

@@ -35,7 +35,11 @@ pub struct Textured<T, const STEP: i32 = 16>(PhantomData<T>);
 pub struct TexturedSkin<'a, T: Sampler> {
     /// The picture.
     pub image: ImageOf<'a, T>,
-    /// The texture coordinates of the vertices, in 1/4,096 of the texture: u to the right, v down.
+    /// The texture coordinates of the vertices, in 1/4,096 of the texture: u to the right, v down. 0 to 4,096 is
+    /// the whole texture.
+    ///
+    /// A vertex has one pair. Where faces that meet there need different ones, as at the corners of a cube whose sides show the whole
+    /// texture each, the mesh has a vertex for each of them in the same place.
     pub coordinates: &'a [[i16; 2]],
 }
 
