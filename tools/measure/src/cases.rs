@@ -2,7 +2,7 @@
 
 use crate::{
     case::{Case, Peer, RASTERIZER_VARIANTS, Source, V6M, V7EM, V7M, What},
-    effects,
+    depth_test, effects,
     firmware::{Build, Level},
     siblings,
 };
@@ -29,6 +29,7 @@ pub fn all() -> Vec<Case> {
         .chain(squares())
         .chain(hidden_surfaces())
         .chain(hidden_lines())
+        .chain(depth_test::cases())
         .chain(pictures())
         .chain(contours())
         .chain(instruments())

@@ -4,6 +4,7 @@ mod accuracy;
 mod case;
 mod cases;
 mod counts;
+mod depth_test;
 mod docs;
 mod effects;
 mod firmware;
@@ -71,6 +72,9 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
     // A program for each sibling, which has no budget: for the page that shows them.
     if is_only("flash.sibling") || options.docs {
         cases.extend(siblings::flash());
+    }
+    if is_only("depth_test") || is_only("combined_solids") || options.docs {
+        cases.extend(depth_test::flash());
     }
     let cases = selection::select(cases, options.only.as_deref(), options.target.as_deref())?;
     let plugin = if options.no_cycles {

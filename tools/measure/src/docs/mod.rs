@@ -1,11 +1,12 @@
 //! Pages of `docs/` with figures that were measured: the algorithms, how tall a band should be, what effects cost, and what
-//! methods of visibility do.
+//! methods of visibility and the depth test do.
 //!
 //! A table lies between the comments `<!-- NAME -->` and `<!-- end -->`; everything else of a page is written by hand.
 
 mod algorithms;
 mod band_height;
 mod bands;
+mod depth_test;
 mod effect_cost;
 mod effect_plot;
 mod effects;
@@ -29,6 +30,7 @@ pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
     let (of_algorithms, of_bands) = (has_any(&algorithms::names()), has_any(&band_height::names()));
     let of_effects = has_any(&effects::names());
     let of_visibility = has_any(&visibility::names());
+    let of_depth_test = has_any(&depth_test::names());
     if of_algorithms {
         algorithms::refill(figures)?;
     }
@@ -41,7 +43,10 @@ pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
     if of_visibility {
         visibility::refill(figures)?;
     }
-    if !of_algorithms && !of_bands && !of_effects && !of_visibility {
+    if of_depth_test {
+        depth_test::refill(figures)?;
+    }
+    if !(of_algorithms || of_bands || of_effects || of_visibility || of_depth_test) {
         bail!("docs/ has none of these figures: leave out --only, or take --only picture.dashboard");
     }
     Ok(())
