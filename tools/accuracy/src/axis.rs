@@ -11,7 +11,7 @@ pub trait Axis {
     /// Its name in file names.
     fn name(&self) -> &'static str;
 
-    /// The counts of `measure` that it wants.
+    /// The counts of `measure` that it wants; none where it shows recorded ones.
     fn counts(&self) -> Vec<String>;
 
     /// Runs it.
@@ -43,14 +43,25 @@ pub struct Chapter {
     pub memory: Option<&'static str>,
     /// Names of the figures of each entry; the first one is the charts' error.
     pub figures: Vec<&'static str>,
+    /// Drawings before everything else.
+    pub diagrams: Vec<Diagram>,
     /// What is said before the groups, one method beside the other.
     pub summaries: Vec<Summary>,
     pub entries: Vec<Entry>,
 }
 
+/// A drawing that was made elsewhere.
+pub struct Diagram {
+    /// In file names, with the chapter's name before it.
+    pub name: String,
+    pub title: String,
+    /// The text of an SVG file.
+    pub svg: String,
+}
+
 /// A table over all groups.
 pub struct Summary {
-    pub title: &'static str,
+    pub title: String,
     pub columns: Vec<String>,
     pub rows: Vec<Vec<Cell>>,
 }

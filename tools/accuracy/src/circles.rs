@@ -75,6 +75,7 @@ impl Axis for Circles {
                 "largest displacement in 1/256 px",
                 "pixels",
             ],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries,
         })

@@ -119,6 +119,7 @@ impl Axis for Clipping {
                 "rms error of an end in 1/256 px",
                 "largest error of an end in 1/256 px",
             ],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries: entries.collect::<anyhow::Result<_>>()?,
         })

@@ -72,6 +72,7 @@ impl Axis for Coverage {
                 "edge pixels",
                 "wrong pixels off the edges",
             ],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries,
         })

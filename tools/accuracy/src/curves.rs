@@ -70,6 +70,7 @@ impl Axis for Curves {
                 "rms distance in 1/256 px",
                 "lines a curve",
             ],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries: entries.collect(),
         })

@@ -62,6 +62,7 @@ impl Axis for DepthWidth {
             operation: "one frame",
             memory: Some("bytes of RAM"),
             figures: vec!["misordered pixels in %", "largest distance behind the nearest in %"],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries,
         })

@@ -56,6 +56,7 @@ impl Axis for Lines {
                 "rms displacement in 1/256 px",
                 "differing pixels in %",
             ],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries: entries.collect(),
         })

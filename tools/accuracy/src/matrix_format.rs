@@ -55,6 +55,7 @@ impl Axis for MatrixFormat {
                 "largest error of a corner in 1/256 px",
                 "rms error of a corner in 1/256 px",
             ],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries,
         })

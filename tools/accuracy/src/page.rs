@@ -17,6 +17,7 @@ th{text-align:right;font-weight:600;background:#f5f5f5}th.text,td.text{text-alig
 td.dominated{color:#999}td,.spread{white-space:nowrap}td.pictures{text-align:left}td.facts{white-space:normal;text-align:left}
 td.strong{font-weight:700}.charts{display:flex;flex-wrap:wrap;gap:8px}
 .charts svg{width:calc(50% - 6px);min-width:480px;height:auto;border:1px solid #eee}
+.diagram svg{width:100%;height:auto;border:1px solid #eee}
 .pixels{image-rendering:pixelated;border:1px solid #ddd;margin-right:4px;vertical-align:top;background:#fff}
 .caption{font-size:12px;color:#777;white-space:normal;max-width:450px}
 .note{background:#fff6d8;border-left:4px solid #e0b020;padding:.5em 1em}
@@ -73,9 +74,22 @@ fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
     writeln!(
         page,
         "<p class=\"command\">This chapter alone: <code>cargo run --release -- accuracy --only {0}</code>; its figures are in \
-         <code>{0}.csv</code> beside this page, its charts as SVG and PNG too.</p>",
-        chapter.name
+         <code>{0}.csv</code> beside this page, its charts as {1} too.</p>",
+        chapter.name,
+        if chapter.diagrams.is_empty() {
+            "SVG and PNG"
+        } else {
+            "SVG"
+        }
     )?;
+    for diagram in &chapter.diagrams {
+        writeln!(
+            page,
+            "<h3>{}</h3>\n<div class=\"diagram\">{}</div>",
+            escaped(&diagram.title),
+            diagram.svg
+        )?;
+    }
     for summary in &chapter.summaries {
         add_summary(page, summary)?;
     }
@@ -114,7 +128,7 @@ fn add_groups(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
 }
 
 fn add_summary(page: &mut String, summary: &Summary) -> anyhow::Result<()> {
-    write!(page, "<h3>{}</h3>\n<table><tr>", escaped(summary.title))?;
+    write!(page, "<h3>{}</h3>\n<table><tr>", escaped(&summary.title))?;
     for (index, column) in summary.columns.iter().enumerate() {
         let class = if index == 0 { " class=\"text\"" } else { "" };
         write!(page, "<th{class}>{}</th>", escaped(column))?;

@@ -68,6 +68,7 @@ impl Axis for Perspective {
             operation: "one frame",
             memory: Some("bytes of RAM"),
             figures: vec!["largest error in texels", "rms error in texels"],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries,
         })

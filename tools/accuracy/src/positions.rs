@@ -66,6 +66,7 @@ impl Axis for Positions {
                 "rms error of coverage in 1/255",
                 "largest error of coverage in 1/255",
             ],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries,
         })

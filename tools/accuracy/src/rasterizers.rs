@@ -91,6 +91,7 @@ impl Axis for Rasterizers {
             operation: "one figure",
             memory: None,
             figures: vec!["rms error in 1/255", "largest error in 1/255"],
+            diagrams: Vec::new(),
             summaries: summaries(&entries),
             entries,
         })
@@ -272,7 +273,7 @@ fn summary(title: &'static str, entries: &[Entry], cell: impl Fn(&Entry, &[Entry
             .collect()
     });
     Summary {
-        title,
+        title: title.to_owned(),
         columns,
         rows: rows.collect(),
     }

@@ -48,6 +48,7 @@ impl Axis for SubPixels {
             operation: "one shape",
             memory: None,
             figures: vec!["rms error in 1/255", "largest error in 1/255"],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries,
         })

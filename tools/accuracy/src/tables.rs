@@ -17,7 +17,11 @@ const COVERAGE_COLUMNS: [&str; 7] = [
 
 /// The files of a chapter: names and contents; what was not measured is empty.
 pub fn csv(chapter: &Chapter) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
-    let whole = whole(chapter)?;
+    let whole = if chapter.diagrams.is_empty() {
+        whole(chapter)?
+    } else {
+        summaries(chapter)?
+    };
     if chapter.name != "coverage" {
         return Ok(vec![(format!("{}.csv", chapter.name), whole)]);
     }
@@ -71,6 +75,23 @@ fn whole(chapter: &Chapter) -> anyhow::Result<Vec<u8>> {
         row
     });
     rows_of(&columns, rows)
+}
+
+/// A line for each cell of the tables of a chapter that is nothing but tables and drawings.
+fn summaries(chapter: &Chapter) -> anyhow::Result<Vec<u8>> {
+    let mut lines = Vec::new();
+    for summary in &chapter.summaries {
+        for (method, cells) in summary.rows.iter().filter_map(|row| row.split_first()) {
+            for (cell, column) in cells.iter().zip(summary.columns.iter().skip(1)) {
+                lines.push(
+                    [&summary.title, &method.text, column, &cell.text]
+                        .map(String::clone)
+                        .to_vec(),
+                );
+            }
+        }
+    }
+    rows_of(&["table", "method", "column", "figure"], lines.into_iter())
 }
 
 fn number(number: Option<f64>) -> String {

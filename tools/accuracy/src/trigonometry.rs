@@ -58,6 +58,7 @@ impl Axis for Trigonometry {
                 "largest error of the squared length in 1/1,000,000",
                 "rms error in 1/1,000,000",
             ],
+            diagrams: Vec::new(),
             summaries: Vec::new(),
             entries: entries.collect(),
         })

@@ -96,6 +96,28 @@ fn a_quick_run_leaves_other_rasterizers_out_and_says_so() {
 }
 
 #[test]
+fn visibility_is_what_was_recorded() {
+    let folder = run("visibility");
+    let page = fs::read_to_string(folder.join("index.html")).unwrap();
+    assert!(page.contains("Measured on 20") && page.contains("measures none of them"));
+    assert_eq!(page.matches("<div class=\"diagram\"><svg").count(), 4);
+    for name in ["m4-cycles", "m4-instructions", "m0plus-cycles", "m0plus-instructions"] {
+        let svg = fs::read_to_string(folder.join(format!("visibility-{name}.svg"))).unwrap();
+        assert!(page.contains(&svg), "{name}");
+    }
+    let csv = fs::read_to_string(folder.join("visibility.csv")).unwrap();
+    let docs = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/visibility.md")).unwrap();
+    // Each cell of each table: its title, its line, its column and its figure.
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 9 * (2 * (6 + 5 + 5) + 7));
+    assert!(rows.iter().all(|row| docs.contains(&format!(" {} |", &row[3]))));
+    let is_row = |row: &csv::StringRecord| &row[1] == "depth row" && &row[2] == "4,992" && row[0].contains("M4");
+    let of_row = rows.iter().find(|row| is_row(row)).unwrap();
+    assert!(docs.contains(&format!("| {} |\n| intervals", &of_row[3])));
+}
+
+#[test]
 fn every_other_axis_times_every_method() {
     for axis in [
         "sub_pixel",

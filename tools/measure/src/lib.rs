@@ -26,6 +26,7 @@ use case::{Case, Figure};
 use counts::Counts;
 use firmware::{Build, Level};
 
+pub use docs::{RecordedChart, RecordedTable, RecordedVisibility, recorded_visibility};
 pub use selection::NothingSelected;
 
 /// Counts instructions, flash and RAM on emulated Cortex-M boards.

@@ -20,6 +20,8 @@ use anyhow::bail;
 
 use crate::case::Figure;
 
+pub use visibility::{RecordedChart, RecordedTable, RecordedVisibility, recorded_visibility};
+
 /// Writes the tables and the plot of every page anew of which some figure was measured.
 ///
 /// # Errors

@@ -1,4 +1,7 @@
-//! `docs/visibility.md`: what each method of visibility costs over the number of faces and of layers, as tables and as a chart.
+//! `docs/visibility.md`: what each method of visibility costs over the number of faces and of layers, as tables and as a chart; and what
+//! is recorded there, for the accuracy report.
+
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use anyhow::Context;
 use zrow_methods::HIDDEN_SURFACES;
@@ -7,7 +10,7 @@ use crate::{
     case::{Figure, V7M},
     docs::{
         page::{figure, parts, read, write},
-        visibility_plot,
+        visibility_plot::{self, Cost},
     },
     report::grouped,
     visibility::{AXES, Axis, CORES, Counts, count_name, flash_name, memory},
@@ -17,8 +20,129 @@ const PAGE: &str = "docs/visibility.md";
 const PLOT: &str = "docs/visibility.svg";
 /// The name of the table of flash and RAM.
 const MEMORY: &str = "memory";
+/// The name of the line that says when it was measured.
+const MEASURED: &str = "measured";
 /// What the two cores are called in the names of tables.
 const CORE_NAMES: [&str; 2] = ["m4", "m0plus"];
+/// What the two cores are called in titles.
+const CORE_TITLES: [&str; 2] = ["Cortex-M4", "Cortex-M0+"];
+
+/// What the page says, as it was measured then.
+#[derive(Debug, Clone)]
+pub struct RecordedVisibility {
+    /// A sentence: when it was measured.
+    pub measured: String,
+    pub tables: Vec<RecordedTable>,
+    pub charts: Vec<RecordedChart>,
+}
+
+/// A table of the page.
+#[derive(Debug, Clone)]
+pub struct RecordedTable {
+    pub title: String,
+    pub columns: Vec<String>,
+    /// As many cells each as there are columns; the first one is the method.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// A chart drawn from the figures of the page.
+#[derive(Debug, Clone)]
+pub struct RecordedChart {
+    /// In file names.
+    pub name: String,
+    pub title: String,
+    pub svg: String,
+}
+
+/// Reads `docs/visibility.md`, and draws instructions and cycles on both cores. Nothing is measured.
+///
+/// # Errors
+/// The page cannot be read, or has no such tables.
+pub fn recorded_visibility() -> anyhow::Result<RecordedVisibility> {
+    let page = read(PAGE)?;
+    let (mut tables, mut charts) = (Vec::new(), Vec::new());
+    for (core, title) in CORE_NAMES.into_iter().zip(CORE_TITLES) {
+        let mut counts = Vec::new();
+        for axis in &AXES {
+            let (_, table, _) = parts(&page, &table_name(axis, core))?;
+            counts.push(read_counts(table)?);
+            tables.push(RecordedTable {
+                title: format!(
+                    "{title}: thousands of instructions / estimated cycles over {}",
+                    axis.title
+                ),
+                ..read_table(table)
+            });
+        }
+        for cost in [Cost::Cycles, Cost::Instructions] {
+            charts.push(RecordedChart {
+                name: format!("{core}-{}", cost.title().replace("estimated ", "")),
+                title: format!("{title}: {}", cost.title()),
+                svg: visibility_plot::svg(&counts, title, cost)?,
+            });
+        }
+    }
+    tables.push(RecordedTable {
+        title: "Bytes of flash and RAM".to_owned(),
+        ..read_table(parts(&page, MEMORY)?.1)
+    });
+    Ok(RecordedVisibility {
+        measured: parts(&page, MEASURED)?.1.trim().to_owned(),
+        tables,
+        charts,
+    })
+}
+
+/// The cells of a table of the page, without a title.
+fn read_table(table: &str) -> RecordedTable {
+    let cells = |line: &str| {
+        let cells = line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned());
+        cells.collect::<Vec<_>>()
+    };
+    RecordedTable {
+        title: String::new(),
+        columns: table.lines().take(1).flat_map(cells).collect(),
+        rows: table.lines().skip(2).map(cells).collect(),
+    }
+}
+
+/// The counts of a table of an axis.
+fn read_counts(table: &str) -> anyhow::Result<Counts> {
+    let count = |cell: &String| match cell.split_once('/') {
+        Some((instructions, cycles)) => Ok(Some([number(instructions)?, number(cycles)?])),
+        None => Ok(None),
+    };
+    let rows = read_table(table).rows;
+    let rows = rows.iter().map(|cells| cells.iter().skip(1).map(count).collect());
+    rows.collect()
+}
+
+/// A number whose digits are grouped.
+fn number(cell: &str) -> anyhow::Result<u64> {
+    let digits = cell.trim().replace(',', "");
+    digits.parse().with_context(|| format!("no number: {cell}"))
+}
+
+/// The line that says when it was measured.
+fn measured_on(time: SystemTime) -> anyhow::Result<String> {
+    let days = time.duration_since(UNIX_EPOCH)?.as_secs() / 86_400;
+    let [year, month, day] = date(days);
+    let version = env!("CARGO_PKG_VERSION");
+    Ok(format!("Measured on {year}-{month:02}-{day:02}, zrow {version}.\n"))
+}
+
+/// Year, month and day so many days after the first of January 1970: Hinnant, 2013, "chrono-compatible low-level date algorithms".
+fn date(days: u64) -> [u64; 3] {
+    // Years begin in March, so that the day in February that not all have is the last one; 400 of them have 146,097 days.
+    let days = days + 719_468;
+    let (era, day_of_era) = (days / 146_097, days % 146_097);
+    let year_of_era = (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let month = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * month + 2) / 5 + 1;
+    let (month, year) = if month < 10 { (month + 3, 0) } else { (month - 9, 1) };
+    [400 * era + year_of_era + year, month, day]
+}
 
 /// The names of all figures of the page.
 pub fn names() -> Vec<String> {
@@ -48,8 +172,9 @@ pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
     let flash = |method| Ok(figure(figures, &flash_name(method), V7M)?.zrow as u64);
     let flash: Vec<u64> = HIDDEN_SURFACES.iter().map(flash).collect::<anyhow::Result<_>>()?;
     let page = replaced(&page, MEMORY, &memory_table(&flash)?)?;
+    let page = replaced(&page, MEASURED, &measured_on(SystemTime::now())?)?;
     write(PAGE, &page)?;
-    write(PLOT, &visibility_plot::svg(&of_m4)?)
+    write(PLOT, &visibility_plot::svg(&of_m4, CORE_TITLES[0], Cost::Cycles)?)
 }
 
 fn table_name(axis: &Axis, core_name: &str) -> String {
@@ -130,21 +255,6 @@ fn memory_table(flash: &[u64]) -> anyhow::Result<String> {
 mod tests {
     use super::*;
 
-    /// What is in the cells of a table without its head, line by line, without the first column.
-    fn cells(table: &str) -> Vec<Vec<&str>> {
-        let lines = table.lines().skip(2);
-        lines
-            .map(|line| {
-                let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-                cells[1..].to_vec()
-            })
-            .collect()
-    }
-
-    fn number(cell: &str) -> anyhow::Result<u64> {
-        Ok(cell.trim().replace(',', "").parse()?)
-    }
-
     #[test]
     fn the_tables_are_whole_and_the_chart_has_their_figures() -> anyhow::Result<()> {
         let page = read(PAGE)?;
@@ -152,16 +262,7 @@ mod tests {
         for axis in &AXES {
             for core in CORE_NAMES {
                 let (_, found, _) = parts(&page, &table_name(axis, core))?;
-                let of_page = cells(found).into_iter().map(|line| {
-                    let counts = line.into_iter().map(|cell| {
-                        let Some((instructions, cycles)) = cell.split_once('/') else {
-                            return Ok(None);
-                        };
-                        Ok(Some([number(instructions)?, number(cycles)?]))
-                    });
-                    counts.collect::<anyhow::Result<_>>()
-                });
-                let counts: Counts = of_page.collect::<anyhow::Result<_>>()?;
+                let counts = read_counts(found)?;
                 assert_eq!(found, table(axis, &counts), "run `cargo run --release -- visibility`");
                 for (method, counts) in HIDDEN_SURFACES.iter().zip(&counts) {
                     for (&stage, count) in axis.stages.iter().zip(counts) {
@@ -179,7 +280,7 @@ mod tests {
             }
         }
         assert!(
-            visibility_plot::svg(&of_m4)? == read(PLOT)?,
+            visibility_plot::svg(&of_m4, CORE_TITLES[0], Cost::Cycles)? == read(PLOT)?,
             "run `cargo run --release -- visibility`"
         );
         Ok(())
@@ -189,9 +290,40 @@ mod tests {
     fn ram_is_that_of_the_types() -> anyhow::Result<()> {
         let page = read(PAGE)?;
         let (_, found, _) = parts(&page, MEMORY)?;
-        let flash = cells(found).into_iter().map(|line| number(line[0]));
+        let rows = read_table(found).rows;
+        let flash = rows.iter().map(|cells| number(&cells[1]));
         let flash: Vec<u64> = flash.collect::<anyhow::Result<_>>()?;
         assert_eq!(found, memory_table(&flash)?, "run `cargo run --release -- visibility`");
         Ok(())
+    }
+
+    #[test]
+    fn what_is_recorded_is_the_page() -> anyhow::Result<()> {
+        let recorded = recorded_visibility()?;
+        assert!(recorded.measured.starts_with("Measured on 20"), "{}", recorded.measured);
+        assert_eq!(recorded.tables.len(), CORE_NAMES.len() * AXES.len() + 1);
+        for table in &recorded.tables {
+            assert_eq!(table.rows.len(), HIDDEN_SURFACES.len(), "{}", table.title);
+            assert!(table.rows.iter().all(|row| row.len() == table.columns.len()));
+        }
+        let names = recorded.charts.iter().map(|chart| chart.name.as_str());
+        assert!(names.eq(["m4-cycles", "m4-instructions", "m0plus-cycles", "m0plus-instructions"]));
+        // The first one is that of the page.
+        assert!(recorded.charts[0].svg == read(PLOT)?);
+        Ok(())
+    }
+
+    #[test]
+    fn dates_are_those_of_the_calendar() {
+        let days = [0, 58, 59, 789, 11_016, 20_786];
+        let dates = [
+            [1970, 1, 1],
+            [1970, 2, 28],
+            [1970, 3, 1],
+            [1972, 2, 29],
+            [2000, 2, 29],
+            [2026, 11, 29],
+        ];
+        assert_eq!(days.map(date), dates);
     }
 }

@@ -1,5 +1,5 @@
-//! The chart of `docs/visibility.md`: cycles of a frame over the number of faces and of layers, a curve for each method, on
-//! logarithmic axes.
+//! The chart of `docs/visibility.md` and those of the accuracy report: cycles or instructions of a frame over the number of faces and
+//! of layers, a curve for each method, on logarithmic axes.
 
 use anyhow::Context;
 use plotters::prelude::*;
@@ -34,22 +34,41 @@ const COLORS: [RGBColor; HIDDEN_SURFACES.len()] = [
     RGBColor(40, 170, 180),
 ];
 
-/// The text of the SVG file, from what was counted on each axis in thousands, as the tables have it.
+/// What a chart shows of a count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cost {
+    Instructions,
+    Cycles,
+}
+
+impl Cost {
+    /// What it is called in a title.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Instructions => "instructions",
+            Self::Cycles => "estimated cycles",
+        }
+    }
+
+    /// From a count in thousands.
+    fn of(self, [instructions, cycles]: [u64; 2]) -> f64 {
+        let thousands = match self {
+            Self::Instructions => instructions,
+            Self::Cycles => cycles,
+        };
+        thousands as f64 * 1000.0
+    }
+}
+
+/// The text of the SVG file, from what was counted on each axis of a core in thousands, as the tables have it.
 ///
 /// # Errors
 /// The font cannot be read, or nothing was measured.
-pub fn svg(counts: &[Counts]) -> anyhow::Result<String> {
+pub fn svg(counts: &[Counts], core: &str, cost: Cost) -> anyhow::Result<String> {
     with_font()?;
-    let cycles = || {
-        counts
-            .iter()
-            .flatten()
-            .flatten()
-            .flatten()
-            .map(|[_, cycles]| *cycles as f64 * 1000.0)
-    };
-    let (least, most) = cycles().fold((f64::MAX, 0.0f64), |(least, most), cycles| {
-        (least.min(cycles), most.max(cycles))
+    let all = counts.iter().flatten().flatten().flatten().map(|count| cost.of(*count));
+    let (least, most) = all.fold((f64::MAX, 0.0f64), |(least, most), number| {
+        (least.min(number), most.max(number))
     });
     let range = (most > 0.0)
         .then_some([least / 1.5, most * 1.5])
@@ -58,11 +77,13 @@ pub fn svg(counts: &[Counts]) -> anyhow::Result<String> {
     {
         let area = SVGBackend::with_string(&mut text, (SIZE.0 as u32, SIZE.1 as u32)).into_drawing_area();
         area.fill(&WHITE)?;
-        let title = "A frame of 128 x 64 pixels by each method of visibility, Cortex-M4: estimated cycles";
-        label(&area, title, (SIZE.0 / 2, 20), 17, INK, (HPos::Center, VPos::Center))?;
+        let cost_title = cost.title();
+        let title = format!("A frame of 128 x 64 pixels by each method of visibility, {core}: {cost_title}");
+        label(&area, &title, (SIZE.0 / 2, 20), 17, INK, (HPos::Center, VPos::Center))?;
         for ((axis, counts), panel) in AXES.iter().zip(counts).zip(0..) {
             Panel {
                 axis,
+                cost,
                 left: LEFT + STEP * panel,
                 range,
             }
@@ -77,8 +98,9 @@ pub fn svg(counts: &[Counts]) -> anyhow::Result<String> {
 /// One of the plots beside each other.
 struct Panel<'a> {
     axis: &'a Axis,
+    cost: Cost,
     left: i32,
-    /// The least and the greatest number of cycles.
+    /// The least and the greatest cost.
     range: [f64; 2],
 }
 
@@ -89,17 +111,16 @@ impl Panel<'_> {
         self.left + (part(number as f64, ends) * f64::from(PANEL)).round() as i32
     }
 
-    fn y(&self, cycles: f64) -> i32 {
-        BOTTOM - (part(cycles, self.range) * f64::from(BOTTOM - TOP)).round() as i32
+    fn y(&self, cost: f64) -> i32 {
+        BOTTOM - (part(cost, self.range) * f64::from(BOTTOM - TOP)).round() as i32
     }
 
     fn draw(&self, area: &Area<'_>, counts: &Counts, has_labels: bool) -> anyhow::Result<()> {
         self.grid(area, has_labels)?;
         for (counts, color) in counts.iter().zip(COLORS) {
             let points = self.axis.stages.iter().zip(counts);
-            let points = points.filter_map(|(stage, count)| {
-                count.map(|[_, cycles]| (self.x(stage.number), self.y(cycles as f64 * 1000.0)))
-            });
+            let points = points
+                .filter_map(|(stage, count)| count.map(|count| (self.x(stage.number), self.y(self.cost.of(count)))));
             let points: Vec<_> = points.collect();
             area.draw(&PathElement::new(points.clone(), color.stroke_width(2)))?;
             for point in points {
@@ -114,13 +135,13 @@ impl Panel<'_> {
         let [least, most] = self.range;
         let right = self.left + PANEL;
         let powers = (0..12).map(|power| 10f64.powi(power));
-        for cycles in powers.filter(|cycles| (least..=most).contains(cycles)) {
-            let y = self.y(cycles);
+        for power in powers.filter(|power| (least..=most).contains(power)) {
+            let y = self.y(power);
             area.draw(&PathElement::new([(self.left, y), (right, y)], FAINT))?;
             if has_labels {
                 label(
                     area,
-                    &grouped(cycles),
+                    &grouped(power),
                     (self.left - 8, y),
                     13,
                     INK,
