@@ -14,6 +14,7 @@ mod antialiased;
 mod bounds;
 mod cameras;
 mod clipped_faces;
+mod coherence;
 mod counters;
 mod depth_polygons;
 mod depth_row;
