@@ -1,0 +1,3 @@
+//! Which algorithm for what, with costs and sources. Nothing is defined here.
+//!
+#![doc = include_str!("../docs/algorithms.md")]
