@@ -1,9 +1,8 @@
 //! `docs/visibility.md`: what each method of visibility costs over the number of faces and of layers, as tables and as a chart; and what
 //! is recorded there, for the accuracy report.
 
-use std::time::{SystemTime, UNIX_EPOCH};
-
 use anyhow::Context;
+use time::{Date, OffsetDateTime};
 use zrow_methods::HIDDEN_SURFACES;
 
 use crate::{
@@ -124,24 +123,8 @@ fn number(cell: &str) -> anyhow::Result<u64> {
 }
 
 /// The line that says when it was measured.
-fn measured_on(time: SystemTime) -> anyhow::Result<String> {
-    let days = time.duration_since(UNIX_EPOCH)?.as_secs() / 86_400;
-    let [year, month, day] = date(days);
-    let version = env!("CARGO_PKG_VERSION");
-    Ok(format!("Measured on {year}-{month:02}-{day:02}, zrow {version}.\n"))
-}
-
-/// Year, month and day so many days after the first of January 1970: Hinnant, 2013, "chrono-compatible low-level date algorithms".
-fn date(days: u64) -> [u64; 3] {
-    // Years begin in March, so that the day in February that not all have is the last one; 400 of them have 146,097 days.
-    let days = days + 719_468;
-    let (era, day_of_era) = (days / 146_097, days % 146_097);
-    let year_of_era = (day_of_era - day_of_era / 1_460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let month = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * month + 2) / 5 + 1;
-    let (month, year) = if month < 10 { (month + 3, 0) } else { (month - 9, 1) };
-    [400 * era + year_of_era + year, month, day]
+fn measured_on(day: Date) -> String {
+    format!("Measured on {day}, zrow {}.\n", env!("CARGO_PKG_VERSION"))
 }
 
 /// The names of all figures of the page.
@@ -172,7 +155,7 @@ pub fn refill(figures: &[Figure]) -> anyhow::Result<()> {
     let flash = |method| Ok(figure(figures, &flash_name(method), V7M)?.zrow as u64);
     let flash: Vec<u64> = HIDDEN_SURFACES.iter().map(flash).collect::<anyhow::Result<_>>()?;
     let page = replaced(&page, MEMORY, &memory_table(&flash)?)?;
-    let page = replaced(&page, MEASURED, &measured_on(SystemTime::now())?)?;
+    let page = replaced(&page, MEASURED, &measured_on(OffsetDateTime::now_utc().date()))?;
     write(PAGE, &page)?;
     write(PLOT, &visibility_plot::svg(&of_m4, CORE_TITLES[0], Cost::Cycles)?)
 }
@@ -314,16 +297,9 @@ mod tests {
     }
 
     #[test]
-    fn dates_are_those_of_the_calendar() {
-        let days = [0, 58, 59, 789, 11_016, 20_786];
-        let dates = [
-            [1970, 1, 1],
-            [1970, 2, 28],
-            [1970, 3, 1],
-            [1972, 2, 29],
-            [2000, 2, 29],
-            [2026, 11, 29],
-        ];
-        assert_eq!(days.map(date), dates);
+    fn the_day_is_written_with_two_digits_each() -> anyhow::Result<()> {
+        let line = measured_on(Date::from_ordinal_date(2028, 60)?);
+        assert!(line.starts_with("Measured on 2028-02-29, zrow "), "{line}");
+        Ok(())
     }
 }
