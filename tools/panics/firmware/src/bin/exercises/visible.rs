@@ -3,7 +3,7 @@ use zrow::{
     band::{BigEndian, LittleEndian, Order},
     scan::Polygons,
     scene::{Deep, DepthWidth, DoubleSided, Fine, Look, OnePass, Prepared, Whole},
-    shade::{Gouraud, Texels, Textured, Translucent},
+    shade::{CutOut, Gouraud, Indexed, Texels, Textured, Translucent},
     visible::{
         Appel, Comparison, DepthBuffer, DepthLine, DepthPolygon, DepthSort, DepthSortCounters, DepthState,
         FaceAgainstSegment, GridRayCasting, HiddenLines, LinePart, OneDepth, PartKind, PolygonOffset, RayCasting,
@@ -27,6 +27,8 @@ pub const EXERCISES: &[fn()] = &[
     depth_test::<Rgb565, BigEndian>,
     depth_test::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>, LittleEndian>,
     depth_test::<Whole<OnePass<Translucent<Gouraud<Rgb565>>>>, LittleEndian>,
+    painted::<Translucent<Gouraud<Rgb565>>, BigEndian>,
+    painted::<Fine<Deep<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>>, LittleEndian>,
     depth_values::<u16>,
     depth_values::<u32>,
 ];
@@ -166,6 +168,13 @@ fn visible_parts<L: Look, V: HiddenLines<L::Depth> + 'static>() {
     }));
 }
 
+/// Translucent faces and holes, from back to front.
+#[inline(never)]
+fn painted<L: Look, O: Order + 'static>() {
+    visibility::<L, O, DepthSort<500, 40>>();
+    visibility::<L, O, DepthSort<0, 0>>();
+}
+
 /// Combined solids in a look with backs.
 #[inline(never)]
 fn solids<L: Look, O: Order + 'static>() {
@@ -179,13 +188,8 @@ fn solids<L: Look, O: Order + 'static>() {
 
 #[inline(never)]
 fn visibility<L: Look, O: Order + 'static, V: Visibility<L::Depth> + 'static>() {
-    keep(Prepared::<L>::draw_by::<O>(any(), any::<&mut V>(), any()));
-    keep(Prepared::<L>::draw_by_with::<O>(
-        any(),
-        any::<&mut V>(),
-        any(),
-        |work| {
-            keep(work);
-        },
-    ));
+    keep(Prepared::<L>::draw_by::<O, V>(any(), any(), any()));
+    keep(Prepared::<L>::draw_by_with::<O, V>(any(), any(), any(), |work| {
+        keep(work);
+    }));
 }
