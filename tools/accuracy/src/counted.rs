@@ -1,7 +1,14 @@
 //! What the emulated chips take, from `measure`; or why nothing was counted.
 
-use std::collections::HashMap;
+use std::{
+    collections::{BTreeMap, HashMap},
+    fs,
+    path::Path,
+};
 
+use anyhow::Context;
+use serde::{Deserialize, Serialize};
+use time::OffsetDateTime;
 use zrow_measure::Measured;
 
 /// What an entry takes on the chips; nothing where it was not counted.
@@ -35,7 +42,21 @@ pub struct Counted {
     figures: HashMap<String, Measured>,
     /// Why there are none.
     missing: Option<String>,
+    /// When they were counted; nothing where that was in this run.
+    recorded: Option<String>,
 }
+
+/// Counts as they are kept in the repository, for runs without QEMU.
+#[derive(Debug, Serialize, Deserialize)]
+struct Record {
+    /// The day, as year, month and day.
+    counted: String,
+    /// Instructions, or bytes of a program, and estimated cycles.
+    figures: BTreeMap<String, (f64, Option<f64>)>,
+}
+
+/// Where they are kept.
+const RECORD: &str = "recorded.json";
 
 impl Counted {
     /// None, and why.
@@ -43,7 +64,44 @@ impl Counted {
         Self {
             figures: HashMap::new(),
             missing: Some(why.into()),
+            recorded: None,
         }
+    }
+
+    /// Those that were recorded.
+    ///
+    /// # Errors
+    /// The record cannot be read.
+    pub fn from_record() -> anyhow::Result<Self> {
+        let record: Record = serde_json::from_str(include_str!("../recorded.json")).context(RECORD)?;
+        let measured = |(figure, cycles)| Measured { figure, cycles };
+        Ok(Self {
+            figures: record
+                .figures
+                .into_iter()
+                .map(|(name, figures)| (name, measured(figures)))
+                .collect(),
+            missing: None,
+            recorded: Some(format!("on {}", record.counted)),
+        })
+    }
+
+    /// Counts in QEMU, and records that.
+    ///
+    /// # Errors
+    /// A tool is missing, a firmware does not build or run, a count is void, or the record cannot be written.
+    pub fn record(names: &[String]) -> anyhow::Result<()> {
+        let figures = zrow_measure::figures(names)?;
+        let record = Record {
+            counted: OffsetDateTime::now_utc().date().to_string(),
+            figures: figures
+                .into_iter()
+                .map(|(name, measured)| (name, (measured.figure, measured.cycles)))
+                .collect(),
+        };
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(RECORD);
+        let text = serde_json::to_string_pretty(&record)? + "\n";
+        fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))
     }
 
     /// Builds the bench firmware and counts in QEMU; what fails is a reason to say, not to fail.
@@ -52,10 +110,15 @@ impl Counted {
             return Self {
                 figures: HashMap::new(),
                 missing: None,
+                recorded: None,
             };
         }
         match zrow_measure::figures(names) {
-            Ok(figures) => Self { figures, missing: None },
+            Ok(figures) => Self {
+                figures,
+                missing: None,
+                recorded: None,
+            },
             Err(error) => Self::none(format!("{error:#}")),
         }
     }
@@ -76,6 +139,11 @@ impl Counted {
             flash_bytes: self.figures.get(program).map(|measured| measured.figure),
             ..self.get(name)
         }
+    }
+
+    /// When they were counted, if that was not in this run.
+    pub fn recorded(&self) -> Option<&str> {
+        self.recorded.as_deref()
     }
 
     /// Why there are none.

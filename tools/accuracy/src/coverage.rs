@@ -12,7 +12,7 @@ use super::{
 };
 
 /// The group of all classes together.
-const ALL: &str = "all";
+pub const ALL: &str = "all";
 
 /// How much of a pixel a shape covers.
 pub struct Coverage;

@@ -3,6 +3,7 @@
 use super::{
     axis::{Chapter, Entry},
     chart::{Chart, Mark},
+    names,
 };
 
 /// What is on the axis of costs.
@@ -55,7 +56,7 @@ pub fn charts(chapter: &Chapter, group: &str) -> Vec<(Cost, Chart)> {
     let charts = [Cost::Time, Cost::Instructions, Cost::Cycles, Cost::Flash].map(|cost| {
         let marks: Vec<_> = entries.iter().filter_map(|entry| mark(entry, cost)).collect();
         let chart = Chart {
-            title: format!("{}, {group}", chapter.name.replace('_', "-")),
+            title: format!("{}, {}", chapter.name.replace('_', "-"), group.replace('_', " ")),
             memory: chapter.memory,
             cost: cost.label(chapter.operation),
             error: chapter.figures.first().copied().unwrap_or_default().to_owned(),
@@ -82,14 +83,14 @@ fn mark(entry: &Entry, cost: Cost) -> Option<Mark> {
     })
 }
 
-/// A long name of an algorithm by its first word, so that labels keep clear of each other.
+/// The name for people; a long name of an algorithm by its first word, so that labels keep clear of each other.
 fn label(method: &str) -> String {
     let (name, rest) = method.split_once(' ').unwrap_or((method, ""));
     let first = name.split('_').next().unwrap_or(name);
     if method.len() > 20 && first != name && !rest.is_empty() {
-        format!("{first} {rest}")
+        names::title(&format!("{first} {rest}"))
     } else {
-        method.to_owned()
+        names::title(method)
     }
 }
 
@@ -106,7 +107,7 @@ mod tests {
         ];
         assert_eq!(
             methods.map(label),
-            ["adaptive 1/8", "de_casteljau 1/8", "1/65536 px, grown window"]
+            ["adaptive 1/8", "de Casteljau 1/8", "1/65536 px, grown window"]
         );
     }
 }

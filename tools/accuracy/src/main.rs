@@ -17,9 +17,12 @@ mod errors;
 mod exact_line;
 mod exact_space;
 mod figures;
+mod hard_cases;
 mod host;
+mod lead;
 mod lines;
 mod matrix_format;
+mod names;
 mod page;
 mod pareto;
 mod perspective;
@@ -51,6 +54,7 @@ use timing::Plan;
 /// Every question, in the order of the page.
 const AXES: &[&dyn Axis] = &[
     &coverage::Coverage,
+    &hard_cases::HardCases,
     &sub_pixel::SubPixels,
     &clipping::Clipping,
     &lines::Lines,
@@ -69,12 +73,15 @@ const AXES: &[&dyn Axis] = &[
 #[derive(clap::Parser)]
 #[command(name = "accuracy", version)]
 pub struct Options {
-    /// Fewer inputs, short rounds, nothing in QEMU: within a minute, and coarse
+    /// Fewer inputs, short rounds, recorded counts instead of QEMU: within a minute, and coarse
     #[arg(long)]
     quick: bool,
     /// Folder for the report; it is made where it is missing [default: target/accuracy of the workspace]
     #[arg(long, value_name = "FOLDER")]
     output: Option<PathBuf>,
+    /// Counts on the emulated chip and records that for quick runs, without a report
+    #[arg(long)]
+    record: bool,
     /// Runs only the axes with this text in their name
     #[arg(long, value_name = "TEXT")]
     only: Option<String>,
@@ -89,6 +96,10 @@ fn main() -> anyhow::Result<()> {
 /// # Errors
 /// A file cannot be written, or a method refused its input.
 pub fn run(options: &Options) -> anyhow::Result<()> {
+    if options.record {
+        let names: Vec<_> = AXES.iter().flat_map(|axis| axis.counts()).collect();
+        return Counted::record(&names);
+    }
     let folder = options.output.clone().unwrap_or_else(default_folder);
     fs::create_dir_all(&folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
     chart::load_font()?;
@@ -98,7 +109,7 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
 
     let plan = Plan::new(options.quick);
     let counted = if options.quick {
-        Counted::none("a quick run does not start QEMU")
+        Counted::from_record()?
     } else {
         let names: Vec<_> = axes.iter().flat_map(|axis| axis.counts()).collect();
         Counted::count(&names)
@@ -124,6 +135,9 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
 
     if plan.quick {
         println!("a quick run: its figures are coarse");
+    }
+    if let Some(when) = counted.recorded() {
+        println!("instructions and cycles were counted {when}");
     }
     if let Some(why) = counted.missing() {
         println!("no instructions: {why}");
@@ -167,13 +181,25 @@ fn write(chapters: &[Chapter], context: &Context<'_>, folder: &Path) -> anyhow::
 
 #[cfg(test)]
 mod tests {
-    use super::AXES;
+    use super::{AXES, Counted};
+
+    /// Whoever adds a count records it: `cargo run --release -- accuracy --record`.
+    #[test]
+    fn every_count_is_recorded() -> anyhow::Result<()> {
+        let recorded = Counted::from_record()?;
+        for axis in AXES {
+            for name in axis.counts() {
+                assert!(recorded.get(&name).instructions.is_some(), "{name} is not recorded");
+            }
+        }
+        Ok(())
+    }
 
     #[test]
     fn every_axis_asks_for_counts_that_there_are() {
         for axis in AXES {
             let counts = axis.counts();
-            let is_recorded = axis.name() == "visibility";
+            let is_recorded = ["hard_cases", "visibility"].contains(&axis.name());
             assert_eq!(counts.is_empty(), is_recorded, "{}", axis.name());
             for name in counts {
                 assert!(zrow_measure::has_figure(&name), "{}: {name}", axis.name());

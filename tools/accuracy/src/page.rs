@@ -5,35 +5,68 @@ use std::fmt::Write;
 use super::{
     axis::{Chapter, Context, Entry, Summary},
     figures::{Cost, charts},
-    host, pareto,
+    host, lead, names, pareto,
 };
 
 const STYLE: &str = "
-body{font:15px/1.45 system-ui,sans-serif;max-width:1280px;margin:2em auto;padding:0 1em;color:#222}
+body{font:15px/1.45 system-ui,sans-serif;max-width:1600px;margin:2em auto;padding:0 1em;color:#222}
 h1,h2,h3{line-height:1.2}h2{border-top:2px solid #ddd;padding-top:1em;margin-top:2em}
 table{border-collapse:collapse;font-size:13px;margin:.6em 0}
 th,td{padding:.2em .7em;border-bottom:1px solid #e4e4e4;text-align:right;vertical-align:middle}
 th{text-align:right;font-weight:600;background:#f5f5f5}th.text,td.text{text-align:left}
 td.dominated{color:#999}td,.spread{white-space:nowrap}td.pictures{text-align:left}td.facts{white-space:normal;text-align:left}
 td.strong{font-weight:700}.charts{display:flex;flex-wrap:wrap;gap:8px}
-.charts svg{width:calc(50% - 6px);min-width:480px;height:auto;border:1px solid #eee}
+.charts svg{flex:1 1 600px;min-width:0;height:auto;border:1px solid #eee}
 .diagram svg{width:100%;height:auto;border:1px solid #eee}
 .pixels{image-rendering:pixelated;border:1px solid #ddd;margin-right:4px;vertical-align:top;background:#fff}
 .caption{font-size:12px;color:#777;white-space:normal;max-width:450px}
 .note{background:#fff6d8;border-left:4px solid #e0b020;padding:.5em 1em}
-nav a{margin-right:1.2em}nav.groups{font-size:13px}.command{font-size:13px;color:#555}";
+nav.groups{font-size:13px}nav.groups a{margin-right:1.2em}.contents li{margin:.3em 0}
+.answer{font-size:19px;max-width:60em}.steps{display:flex;flex-wrap:wrap;gap:16px;margin:1em 0}
+.steps figure{margin:0}.steps figcaption{font-size:14px;margin-top:.3em}.command{font-size:13px;color:#555}";
 
 /// The whole page.
 pub fn html(chapters: &[Chapter], context: &Context<'_>) -> anyhow::Result<String> {
     let mut page = String::new();
     write!(
         page,
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>zrow: accuracy and its cost</title>\
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
+         <meta name=\"viewport\" content=\"width=device-width\"><title>zrow: accuracy and its cost</title>\
          <style>{STYLE}</style></head><body>\n<h1>zrow: what accuracy costs</h1>\n"
     )?;
+    page += &lead::html(chapters)?;
+    add_contents(&mut page, chapters)?;
+    for chapter in chapters {
+        add_chapter(&mut page, chapter)?;
+    }
+    add_run(&mut page, context)?;
+    page += "</body></html>\n";
+    Ok(page)
+}
+
+/// A list of the chapters and of their groups.
+fn add_contents(page: &mut String, chapters: &[Chapter]) -> anyhow::Result<()> {
+    *page += "<h2 id=\"contents\">Contents</h2>\n<ol class=\"contents\">";
+    for chapter in chapters {
+        write!(page, "<li><a href=\"#{}\">{}</a>", chapter.name, escaped(chapter.title))?;
+        add_groups(page, chapter)?;
+        *page += "</li>\n";
+    }
+    *page += "<li><a href=\"#run\">How to read it, and what was run</a></li></ol>\n";
+    Ok(())
+}
+
+/// How charts are read, what is missing, and the machine.
+fn add_run(page: &mut String, context: &Context<'_>) -> anyhow::Result<()> {
+    *page += "<h2 id=\"run\">How to read it, and what was run</h2>\n\
+             <p>Each chart shows error against cost; left and low is good. The blue steps join the methods that no other one \
+             beats in both; the others are grey. Where a chart says so, the area of a mark grows with the memory of a row. A \
+             time is the median of rounds in which every method has its turn; the bar through its mark, and the column \
+             \"middle half\", reach from the lower to the upper quartile of the rounds. In the tables a time or a count is grey \
+             where another method has no more of the cost and no more error, and the name is grey where both are.</p>\n";
     if context.plan.quick {
-        page += "<p class=\"note\">A quick run: a fifth of the inputs, few short rounds. Its figures are coarse, and nothing \
-                 was counted in QEMU. Without <code>--quick</code> they are what the project quotes.</p>\n";
+        *page += "<p class=\"note\">A quick run: a fifth of the inputs, few short rounds. Its times and errors are coarse. Without \
+                 <code>--quick</code> they are what the project quotes.</p>\n";
     }
     if let Some(why) = context.counted.missing() {
         writeln!(
@@ -42,15 +75,14 @@ pub fn html(chapters: &[Chapter], context: &Context<'_>) -> anyhow::Result<Strin
             escaped(why)
         )?;
     }
-    page += "<p>Each chart shows error against cost; left and low is good. The blue steps join the methods that no other one \
-             beats in both; the others are grey. Where a chart says so, the area of a mark grows with the memory of a row. A time is the median of rounds in which every method has its turn; the bar \
-             through its mark, and the column \"middle half\", reach from the lower to the upper quartile of the rounds. \
-             In the tables a time or a count is grey where another method has no more of the cost and no more error, and \
-             the name is grey where both are.</p>\n<nav>";
-    for chapter in chapters {
-        write!(page, "<a href=\"#{}\">{}</a>", chapter.name, escaped(chapter.title))?;
+    if let Some(when) = context.counted.recorded() {
+        writeln!(
+            page,
+            "<p class=\"note\">Instructions and cycles of the emulated chip were not counted in this run, but {}.</p>",
+            escaped(when)
+        )?;
     }
-    page += "</nav>\n<table>";
+    *page += "<table>";
     for (name, text) in host::facts() {
         write!(
             page,
@@ -58,12 +90,8 @@ pub fn html(chapters: &[Chapter], context: &Context<'_>) -> anyhow::Result<Strin
             escaped(&text)
         )?;
     }
-    page += "</table>\n";
-    for chapter in chapters {
-        add_chapter(&mut page, chapter)?;
-    }
-    page += "</body></html>\n";
-    Ok(page)
+    *page += "</table>\n";
+    Ok(())
 }
 
 fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
@@ -74,12 +102,12 @@ fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
     writeln!(
         page,
         "<p class=\"command\">This chapter alone: <code>cargo run --release -- accuracy --only {0}</code>; its figures are in \
-         <code>{0}.csv</code> beside this page, its charts as {1} too.</p>",
+         <code>{0}.csv</code> beside this page{1}.</p>",
         chapter.name,
-        if chapter.diagrams.is_empty() {
-            "SVG and PNG"
-        } else {
-            "SVG"
+        match (chapter.diagrams.is_empty(), chapter.entries.is_empty()) {
+            (false, _) => ", its charts as SVG too",
+            (true, false) => ", its charts as SVG and PNG too",
+            (true, true) => "",
         }
     )?;
     for diagram in &chapter.diagrams {
@@ -93,13 +121,12 @@ fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
     for summary in &chapter.summaries {
         add_summary(page, summary)?;
     }
-    add_groups(page, chapter)?;
     for group in chapter.groups() {
         write!(
             page,
             "<h3 id=\"{}\">{}</h3>\n<div class=\"charts\">",
             chapter.group_name(group),
-            escaped(group)
+            escaped(&group.replace('_', " "))
         )?;
         for (_, chart) in charts(chapter, group) {
             *page += &chart.svg()?;
@@ -110,7 +137,7 @@ fn add_chapter(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Where its groups are.
+/// Where the groups of a chapter are.
 fn add_groups(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
     if chapter.groups().len() > 1 {
         *page += "<nav class=\"groups\">";
@@ -119,7 +146,7 @@ fn add_groups(page: &mut String, chapter: &Chapter) -> anyhow::Result<()> {
                 page,
                 "<a href=\"#{}\">{}</a>",
                 chapter.group_name(group),
-                escaped(group)
+                escaped(&group.replace('_', " "))
             )?;
         }
         *page += "</nav>\n";
@@ -213,7 +240,7 @@ fn add_row(
         page,
         "<tr><td class=\"text{}\">{}</td>",
         class(by_time && by_instructions),
-        escaped(&entry.method)
+        escaped(&names::title(&entry.method))
     )?;
     for figure in &entry.figures {
         write!(page, "<td>{}</td>", digits(*figure))?;

@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use anyhow::Context;
 use base64::{Engine, prelude::BASE64_STANDARD};
-use image::{ImageFormat, Rgb, RgbImage};
+use image::{ImageFormat, Rgb, RgbImage, imageops::crop_imm};
 use zrow_methods::{SIZE, Shape};
 
 use super::errors::FULL;
@@ -112,23 +112,65 @@ impl Picture {
         }
     }
 
+    /// The first image of pixels.
+    fn image(&self) -> Option<&RgbImage> {
+        self.panels.iter().find_map(|panel| match panel {
+            Panel::Pixels(image) => Some(image),
+            Panel::Drawing(_) => None,
+        })
+    }
+
+    /// The columns and the rows in which the first image shows something: left, top, right, bottom, the last ones excluded.
+    pub fn covered(&self) -> Option<[u32; 4]> {
+        let shown = self
+            .image()?
+            .enumerate_pixels()
+            .filter(|(_, _, pixel)| **pixel != PAPER);
+        shown.map(|(x, y, _)| [x, y, x + 1, y + 1]).reduce(around)
+    }
+
+    /// A part of the first image, as wide as so many pixels of the page.
+    ///
+    /// # Errors
+    /// It cannot be encoded.
+    pub fn magnified(&self, [left, top, right, bottom]: [u32; 4], width: u32) -> anyhow::Result<String> {
+        let Some(image) = self.image() else {
+            return Ok(String::new());
+        };
+        let part = crop_imm(image, left, top, right - left, bottom - top);
+        element(&part.to_image(), width)
+    }
+
     /// The panels as elements of a page.
     pub fn html(&self) -> anyhow::Result<String> {
         let panels = self.panels.iter().map(|panel| match panel {
             Panel::Drawing(markup) => Ok(markup.clone()),
             Panel::Pixels(image) => {
-                let bytes = BASE64_STANDARD.encode(png(image)?);
                 let (width, height) = image.dimensions();
-                let scale = (144 / width.max(height)).max(1);
-                Ok(format!(
-                    "<img class=\"pixels\" width=\"{}\" height=\"{}\" alt=\"\" src=\"data:image/png;base64,{bytes}\">",
-                    width * scale,
-                    height * scale,
-                ))
+                element(image, width * (144 / width.max(height)).max(1))
             }
         });
         panels.collect::<anyhow::Result<Vec<_>>>().map(|panels| panels.concat())
     }
+}
+
+/// The columns and the rows around two boxes.
+pub fn around([left, top, right, bottom]: [u32; 4], other: [u32; 4]) -> [u32; 4] {
+    [
+        left.min(other[0]),
+        top.min(other[1]),
+        right.max(other[2]),
+        bottom.max(other[3]),
+    ]
+}
+
+/// An image as an element of a page, so wide.
+fn element(image: &RgbImage, width: u32) -> anyhow::Result<String> {
+    let bytes = BASE64_STANDARD.encode(png(image)?);
+    let height = image.height() * width / image.width();
+    Ok(format!(
+        "<img class=\"pixels\" width=\"{width}\" height=\"{height}\" alt=\"\" src=\"data:image/png;base64,{bytes}\">"
+    ))
 }
 
 /// A power of two by which errors up to that one can be multiplied.

@@ -17,10 +17,11 @@ const COVERAGE_COLUMNS: [&str; 7] = [
 
 /// The files of a chapter: names and contents; what was not measured is empty.
 pub fn csv(chapter: &Chapter) -> anyhow::Result<Vec<(String, Vec<u8>)>> {
-    let whole = if chapter.diagrams.is_empty() {
-        whole(chapter)?
-    } else {
+    // A chapter without entries is tables and drawings alone. That of other rasterizers may have none for once.
+    let whole = if chapter.figures.is_empty() {
         summaries(chapter)?
+    } else {
+        whole(chapter)?
     };
     if chapter.name != "coverage" {
         return Ok(vec![(format!("{}.csv", chapter.name), whole)]);

@@ -69,6 +69,38 @@ fn coverage_has_its_columns_and_the_known_ranking() {
     assert!(of("star", "inside_area") < of("star", "signed_area") / 2.0);
 }
 
+/// The answer comes first: a sentence, a chart, the star four times; machine and warnings come last.
+#[test]
+fn the_first_screen_says_what_accuracy_costs() {
+    let page = fs::read_to_string(run("coverage").join("index.html")).unwrap();
+    let place = |part: &str| page.find(part).unwrap_or_else(|| panic!("{part} is missing"));
+    assert!(page.contains("estimated cycles of a Cortex-M4 without antialiasing"));
+    let parts = [
+        "<p class=\"answer\">A shape takes ",
+        "<div class=\"diagram\"><svg",
+        "<b>no antialiasing</b>",
+        "<b>16 samples, n-rooks</b>",
+        "<b>exact area</b>",
+        "<b>exact area, crossings too</b>",
+        "<h2 id=\"contents\">",
+        "<h2 id=\"coverage\">",
+        "<h2 id=\"run\">",
+        "were not counted in this run, but on 20",
+        ">machine</td>",
+    ];
+    assert!(parts.map(place).is_sorted(), "{:?}", parts.map(place));
+    assert!(!page.contains("rooks_16"), "a name of code");
+}
+
+#[test]
+fn hard_cases_are_a_table() {
+    let folder = run("hard_cases");
+    let page = fs::read_to_string(folder.join("index.html")).unwrap();
+    assert!(page.contains("a bow tie") && page.contains("vello #380"));
+    let csv = fs::read_to_string(folder.join("hard_cases.csv")).unwrap();
+    assert!(csv.lines().count() > 50, "{csv}");
+}
+
 #[test]
 fn the_page_needs_nothing_beside_it() {
     let folder = run("clipping");
