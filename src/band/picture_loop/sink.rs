@@ -10,6 +10,10 @@ use crate::{
 /// Takes each finished band of a picture, top to bottom.
 ///
 /// A closure `FnMut(Band<C, O>) -> Result<(), E>` is one.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` takes no bands",
+    note = "a display that is a `DrawTarget` takes them as `DisplaySink(&mut display)`, a function of bytes as `BytesSink(..)`"
+)]
 pub trait Sink<C: BandColor, O: Order> {
     /// What can go wrong on the way to the display.
     type Error;

@@ -16,6 +16,13 @@ use crate::{
 
 // Not re-exported, and so sealed.
 /// What a [`Picture`](crate::draw::Picture) takes by copy.
+#[diagnostic::on_unimplemented(
+    message = "a picture of this colour and byte order takes no copy of `{Self}`",
+    note = "it copies shapes with a style, `shape.into_styled(PrimitiveStyle::with_fill(color))`, and texts",
+    note = "other drawables of embedded-graphics lie in a `DrawableItem` that `Picture::add_item` refers to, images are added by \
+            `Picture::add_image`",
+    note = "antialiased styles need a colour with channels: not `BinaryColor`"
+)]
 pub trait Prepare<'a, C: BandColor, O: Order> {
     /// Writes the item's words, and says where it is and how it is drawn.
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O>;
