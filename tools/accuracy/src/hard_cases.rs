@@ -5,8 +5,8 @@ use zrow_methods::{Contour, Input, METHODS, Rule, SIZE, Shape, UNITS};
 
 use super::{
     axis::{Axis, Cell, Chapter, Context, Summary},
+    digits::digits,
     errors::FULL,
-    page::digits,
     reference,
 };
 

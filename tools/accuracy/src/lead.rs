@@ -7,9 +7,9 @@ use zrow_methods::Class;
 use super::{
     axis::{Chapter, Entry},
     coverage::ALL,
+    digits::digits,
     figures::{Cost, charts},
     names,
-    page::digits,
     picture::{Picture, around},
 };
 

@@ -13,6 +13,7 @@ mod counted;
 mod coverage;
 mod curves;
 mod depth_width;
+mod digits;
 mod errors;
 mod exact_line;
 mod exact_space;

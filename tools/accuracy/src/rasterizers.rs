@@ -286,7 +286,7 @@ fn ratio(entry: &Entry, group: &[Entry], cost: impl Fn(&Entry) -> Option<f64>) -
     let least = others.fold(f64::INFINITY, f64::min);
     match cost(entry) {
         Some(own) if least.is_finite() => Cell {
-            text: format!("{:.2} ({})", own / least, super::page::digits(own.round())),
+            text: format!("{:.2} ({})", own / least, super::digits::digits(own.round())),
             is_strong: is_zrow(entry) && own <= least,
         },
         _ => Cell {
