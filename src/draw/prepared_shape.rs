@@ -21,6 +21,34 @@ use crate::{
 /// strokes](crate::draw#wide-strokes)): centred on the contour, or the part inside or outside the polygon of a stroke
 /// twice as wide. It takes no entries of the tables. For an outline of Bresenham lines, draw the contour as a
 /// `Polyline`. A path is filled first; then its stroke, centred on the path, is drawn over the fill.
+///
+/// An arrow is prepared once and drawn band by band; the alias is for a field that keeps it:
+///
+/// ```
+/// use embedded_graphics::{
+///     mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::PrimitiveStyleBuilder,
+/// };
+/// use zrow::{
+///     band::{DisplaySink, PictureLoop},
+///     draw::{DrawOn, FillRule, Polygon, PreparedShape, PrimitiveStyle},
+/// };
+///
+/// /// Three edges, of which a row meets two.
+/// type Arrow<'a> = PreparedShape<Polygon<'a, Point>, 3, 2>;
+///
+/// let contours: [&[Point]; 1] = [&[Point::new(4, 4), Point::new(40, 20), Point::new(4, 36)]];
+/// let arrow: Arrow<'_> = Polygon::new(&contours, FillRule::NonZero).prepare()?;
+/// assert_eq!(arrow.edge_count(), 3);
+///
+/// let style = PrimitiveStyleBuilder::new().fill_color(Gray8::new(80)).stroke_color(Gray8::WHITE).stroke_width(3);
+/// let style = PrimitiveStyle::from(style.build());
+/// let mut display = MockDisplay::<Gray8>::new();
+/// PictureLoop::new(display.bounding_box(), Gray8::BLACK)
+///     .draw(&mut [0; 64], &mut DisplaySink(&mut display), |band| arrow.into_styled(style).draw_on(band))?;
+/// assert_eq!(display.get_pixel(Point::new(15, 20)), Some(Gray8::new(80)));
+/// assert_eq!(display.get_pixel(Point::new(4, 20)), Some(Gray8::WHITE));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct PreparedShape<S, const EDGES: usize, const ACTIVE: usize> {
     pub(in crate::draw) shape: S,

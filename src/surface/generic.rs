@@ -18,6 +18,24 @@ use crate::{
 /// Spans and blocks become `fill_solid`, lines become one `draw_iter`. Nothing reaches the display that lies outside its
 /// bounding box, whoever draws: drivers that send what is beyond their right and lower edge are protected, from
 /// embedded-graphics' own shapes and texts too.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Circle};
+/// use zrow::{band::Generic, draw::{DrawOn, PrimitiveStyle}};
+///
+/// // This display panics where a pixel is drawn outside of it.
+/// let mut display = MockDisplay::new();
+/// let circle = Circle::new(Point::new(-3, -3), 8).into_styled(PrimitiveStyle::with_stroke(BinaryColor::On, 1));
+/// circle.draw_on(&mut Generic(&mut display))?;
+/// display.assert_pattern(&[
+///     "    #", //
+///     "    #",
+///     "    #",
+///     "   # ",
+///     "###  ",
+/// ]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
 #[derive(Debug)]
 pub struct Generic<'a, D: ?Sized>(pub &'a mut D);
 

@@ -45,6 +45,29 @@ use crate::geometry::Window;
 ///   visible pixels are read, one by one; the others are left out by one call of [`Iterator::nth`] for each visible row (on
 ///   32-bit machines one more for each 2^32 colours), and nothing is read behind the last visible pixel. Only a list of
 ///   pixels is read whole, because any of them may be visible.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::{band::{Band, Generic, Target}, geometry::Window};
+///
+/// /// Draws grid lines over all of a target, every fourth column.
+/// fn grid<T: Target>(target: &mut T, color: T::Color) -> Result<(), T::Error> {
+///     let (window, raw) = (target.window(), target.raw(color));
+///     (window.left..window.right).step_by(4).try_for_each(|left| {
+///         target.fill_window(Window { left, right: left + 1, ..window }, raw)
+///     })
+/// }
+///
+/// let mut row = [0; 6];
+/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(6, 1)), &mut row)?;
+/// let Ok(()) = grid(&mut band, Gray8::WHITE);
+/// assert_eq!(row, [255, 0, 0, 0, 255, 0]);
+///
+/// let mut display = MockDisplay::<Gray8>::new();
+/// grid(&mut Generic(&mut display), Gray8::WHITE)?;
+/// assert_eq!(display.get_pixel(Point::new(60, 63)), Some(Gray8::WHITE));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub trait Target: BatchTarget {
     /// The pixels that the target has; whatever lies outside is not drawn.
     fn window(&self) -> Window;

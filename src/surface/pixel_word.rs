@@ -390,6 +390,26 @@ fn fill_block<const N: usize, W: Copy>(words: &mut &mut [W], word: W) -> bool {
 /// - [`LittleEndian`], the default: the order of Cortex-M, RISC-V and Xtensa chips and of most desktops, fastest to draw and to
 ///   read back there.
 /// - [`BigEndian`]: the bytes of a band are what a display takes over SPI, so DMA needs only a cast.
+///
+/// A function that is generic over the order draws into bands of both:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use zrow::{band::{Band, BigEndian, LittleEndian, Order}, draw::{DrawOn, PrimitiveStyle}};
+///
+/// fn bar<O: Order>(band: &mut Band<'_, Rgb565, O>, percent: u32) {
+///     let bar = Rectangle::new(Point::zero(), Size::new(percent / 25, 1));
+///     let Ok(()) = bar.into_styled(PrimitiveStyle::with_fill(Rgb565::RED)).draw_on(band);
+/// }
+///
+/// let (area, mut words) = (Rectangle::new(Point::zero(), Size::new(4, 1)), [0; 4]);
+/// // Red is 0xf800: its bytes as they lie in memory.
+/// bar(&mut Band::<Rgb565, LittleEndian>::new(area, &mut words)?, 50);
+/// assert_eq!(words.map(u16::to_ne_bytes), [[0x00, 0xf8], [0x00, 0xf8], [0; 2], [0; 2]]);
+/// bar(&mut Band::<Rgb565, BigEndian>::new(area, &mut words)?, 100);
+/// assert_eq!(words.map(u16::to_ne_bytes), [[0xf8, 0x00]; 4]);
+/// # Ok::<(), zrow::geometry::TooSmall>(())
+/// ```
 pub trait Order: Copy + core::fmt::Debug + 'static {
     /// Turns a word from the machine's order to this one, and back: each order is its own inverse.
     #[must_use]
@@ -411,6 +431,36 @@ impl Order for BigEndian {
 /// A colour that a band can hold: all of embedded-graphics' own.
 ///
 /// Colours of less than 8 bits take a byte a pixel, so that drawing needs no masks; the sink packs them.
+///
+/// A program for panels of several kinds is generic over the colour, whose word is what its row consists of:
+///
+/// ```
+/// use embedded_graphics::{
+///     mock_display::MockDisplay, pixelcolor::{BinaryColor, Rgb565}, prelude::*, primitives::Circle,
+/// };
+/// use zrow::{
+///     band::{BandColor, DisplaySink, LoopError, PictureLoop},
+///     draw::{DrawOn, PrimitiveStyle},
+/// };
+///
+/// /// Shows a disc in the second colour on the first one.
+/// fn show<C: BandColor, D: DrawTarget<Color = C>>(
+///     display: &mut D,
+///     row: &mut [C::Word],
+///     [background, color]: [C; 2],
+/// ) -> Result<(), LoopError<D::Error>> {
+///     let disc = Circle::new(Point::zero(), 9).into_styled(PrimitiveStyle::with_fill(color));
+///     PictureLoop::new(display.bounding_box(), background)
+///         .draw(row, &mut DisplaySink(display), |band| disc.draw_on(band))
+/// }
+///
+/// let (mut lcd, mut oled) = (MockDisplay::new(), MockDisplay::new());
+/// show(&mut lcd, &mut [0u16; 64], [Rgb565::BLACK, Rgb565::CSS_GOLD])?;
+/// show(&mut oled, &mut [0u8; 64], [BinaryColor::Off, BinaryColor::On])?;
+/// assert_eq!(lcd.get_pixel(Point::new(4, 4)), Some(Rgb565::CSS_GOLD));
+/// assert_eq!(oled.get_pixel(Point::new(4, 4)), Some(BinaryColor::On));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub trait BandColor: PixelColor + 'static {
     /// The word of one pixel: `u8`, `u16` or `u32`.
     type Word: PixelWord;

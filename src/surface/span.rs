@@ -3,6 +3,21 @@
 use crate::geometry::Window;
 
 /// Pixels `start <= x < end` of row `y`. Empty where `start >= end`.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::band::{Band, Span, Target};
+///
+/// // The bars of a level meter, the second of which is longer than the band is wide.
+/// let mut words = [0; 6 * 2];
+/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(6, 2)), &mut words)?;
+/// let raw = band.raw(Gray8::new(7));
+/// for (y, level) in [4, 9].into_iter().enumerate() {
+///     let Ok(()) = band.fill_span(Span::new(y as i32, 1, 1 + level), raw);
+/// }
+/// assert_eq!(words, [0, 7, 7, 7, 7, 0, 0, 7, 7, 7, 7, 7]);
+/// # Ok::<(), zrow::geometry::TooSmall>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Span {

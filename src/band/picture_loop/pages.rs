@@ -70,6 +70,35 @@ pub struct PagesSink<'a, F> {
 }
 
 /// Eight rows of a picture as vertical bytes: one a column, the topmost pixel in the lowest bit.
+///
+/// A page goes to an SH1106 behind the commands that say where it belongs; column 0 of this panel is column 2 of the
+/// controller's memory:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::BinaryColor, prelude::*, primitives::Rectangle};
+/// use zrow::{band::{Page, PagesSink, PictureLoop}, draw::{DrawOn, PrimitiveStyle}};
+///
+/// # #[derive(Default)] struct Bus { commands: Vec<[u8; 3]>, data: Vec<u8> }
+/// # impl Bus {
+/// #     fn command(&mut self, bytes: [u8; 3]) -> Result<(), core::fmt::Error> { self.commands.push(bytes); Ok(()) }
+/// #     fn data(&mut self, bytes: &[u8]) -> Result<(), core::fmt::Error> { self.data.extend(bytes); Ok(()) }
+/// # }
+/// # let mut bus = Bus::default();
+/// let send = |page: Page<'_>| {
+///     bus.command(page.sh1106_window(2))?;
+///     bus.data(page.bytes)
+/// };
+/// // A part of the panel: rows 12 to 19, in pages 1 and 2.
+/// let area = Rectangle::new(Point::new(40, 12), Size::new(16, 8));
+/// let bar = area.into_styled(PrimitiveStyle::with_fill(BinaryColor::On));
+/// let mut page = [0; 16];
+/// let mut sink = PagesSink::new(area, &mut page, send)?;
+/// PictureLoop::new(area, BinaryColor::Off).draw(&mut [0; 16], &mut sink, |band| bar.draw_on(band))?;
+/// assert_eq!(bus.commands, [[0xb1, 0xa, 0x12], [0xb2, 0xa, 0x12]]);
+/// // What lies outside of the area is off.
+/// assert_eq!((bus.data[0], bus.data[16]), (0b1111_0000, 0b0000_1111));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Page<'a> {
     /// The pixels of the page: eight rows, of which the first has a number that eight divides.

@@ -268,6 +268,39 @@ impl<E> SceneResult for Result<(), E> {
 }
 
 /// A picture was not drawn to its end. `E` is the error of the sink, `X` that of the scene.
+///
+/// A program that refreshes a display again and again sets the display up anew after an error of the sink, and goes on:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use zrow::band::{BytesSink, LoopError, PictureLoop};
+///
+/// # struct Bus { failures: u32, resets: u32 }
+/// # impl Bus {
+/// #     fn write(&mut self, _: &[u8]) -> Result<(), core::fmt::Error> {
+/// #         let left = self.failures.checked_sub(1);
+/// #         self.failures = left.unwrap_or(0);
+/// #         left.map_or(Ok(()), |_| Err(core::fmt::Error))
+/// #     }
+/// #     fn reset(&mut self) { self.resets += 1 }
+/// # }
+/// # let mut bus = Bus { failures: 1, resets: 0 };
+/// let mut row = [0; 64];
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 48));
+/// for _frame in 0..3 {
+///     let mut sink = BytesSink(|_, bytes: &[u8]| bus.write(bytes));
+///     match PictureLoop::new(area, Rgb565::BLUE).draw(&mut row, &mut sink, |_band| {}) {
+///         Ok(()) => {}
+///         Err(LoopError::Sink(_)) => bus.reset(),
+///         // Without words enough for a band, no frame can be drawn: the error says how many are needed.
+///         Err(LoopError::TooSmall(error)) => return Err(error),
+///         // This scene returns nothing, so that it cannot fail.
+///         Err(LoopError::Scene(never)) => match never {},
+///     }
+/// }
+/// assert_eq!(bus.resets, 1);
+/// # Ok::<(), zrow::geometry::TooSmall>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LoopError<E, X = Infallible> {

@@ -104,6 +104,30 @@ impl<C: ChannelColor, O: Order, const TENTHS: u32> InLinearLight<'_, '_, C, O, T
 const MOST_LAYERS: usize = 2;
 
 /// Draws a shape in an [`Antialiased`] style, on [`Band::antialiased`].
+///
+/// Memory that is too small is an error that says how much would do:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::{Line, Rectangle}};
+/// use zrow::{
+///     band::Band,
+///     draw::{DrawAntialiased, PrimitiveStyle},
+///     geometry::{DrawError, TooSmall},
+/// };
+///
+/// let mut words = [0; 8 * 3];
+/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(8, 3)), &mut words)?;
+/// let style = PrimitiveStyle::with_stroke(Gray8::WHITE, 2).antialiased();
+/// let needle = Line::new(Point::new(0, 0), Point::new(7, 2)).into_styled(style);
+/// let mut row_memory = [0; 9];
+/// let too_small = needle.draw_on(&mut band.antialiased::<2, 4>(&mut row_memory));
+/// assert_eq!(too_small, Err(DrawError::TooSmall(TooSmall::Edges(4))));
+///
+/// needle.draw_on(&mut band.antialiased::<4, 4>(&mut row_memory))?;
+/// // The row in the middle.
+/// assert_eq!(words[8..16], [138, 210, 255, 255, 255, 255, 210, 138]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub trait DrawAntialiased {
     /// The colour type of the target.
     type Color: PixelColor;

@@ -37,6 +37,31 @@ use crate::{
 };
 
 /// A filled circle or ellipse with a centre and radii in 1/256 pixel.
+///
+/// A dot moves by less than a pixel:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::{
+///     band::Band,
+///     draw::{DrawAntialiased, PrimitiveStyle, SubEllipse},
+///     fixed::types::U24F8,
+///     geometry::{Sub8, SubPoint},
+/// };
+///
+/// let white = PrimitiveStyle::with_fill(Gray8::WHITE).antialiased();
+/// let area = Rectangle::new(Point::zero(), Size::new(7, 1));
+/// let mut row_memory = [0; 8];
+/// for (quarters, expected) in [(0, [0, 184, 255, 255, 255, 184, 0]), (1, [0, 121, 255, 255, 255, 248, 0])] {
+///     let mut row = [0; 7];
+///     let centre = SubPoint::<Sub8>::from_units(3 * 256 + 64 * quarters, 0)?;
+///     SubEllipse::circle(centre, U24F8::from_num(2.25))?
+///         .into_styled(white)
+///         .draw_on(&mut Band::<Gray8>::new(area, &mut row)?.antialiased::<32, 32>(&mut row_memory))?;
+///     assert_eq!(row, expected);
+/// }
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubEllipse {
@@ -137,6 +162,38 @@ fn pixels_around(center: SubPoint<Sub8>, radii: [u32; 2]) -> Rectangle {
 }
 
 /// An arc with a width and butt ends, such as a gauge, or a [ring](Self::ring).
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::{
+///     band::Band,
+///     draw::{AntialiasingMemory, Picture, PictureSlot, PrimitiveStyle, SubArc},
+///     fixed::types::{U0F16, U24F8},
+///     geometry::{InputError, Sub8, SubPoint},
+/// };
+///
+/// /// The lit part of a gauge that runs from the lower left over the top to the lower right.
+/// fn lit(percent: u16) -> Result<SubArc, InputError> {
+///     let centre = SubPoint::<Sub8>::from_pixel(Point::new(32, 32))?;
+///     // Three eighths of a turn from the x axis, clockwise, and three quarters at most from there.
+///     let (start, sweep) = (U0F16::from_num(0.375), U0F16::from_num(0.75) / 100 * percent);
+///     SubArc::new(centre, [U24F8::from_num(24), U24F8::from_num(30.5)], start, sweep)
+/// }
+///
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], [0; 128], [0; 64]);
+/// let mut memory = AntialiasingMemory::<65, 32, 8>::new();
+/// let mut picture = Picture::new(area, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
+/// let style = PrimitiveStyle::with_fill(Gray8::WHITE).antialiased();
+/// let gauge = picture.add(&lit(20)?.into_styled(style))?;
+/// picture.replace(gauge, &lit(60)?.into_styled(style))?;
+///
+/// let mut row = [0; 64];
+/// picture.draw(&mut Band::<Gray8>::new(Rectangle::new(Point::new(0, 32), Size::new(64, 1)), &mut row)?);
+/// // Lit on the left side, and not yet on the right one.
+/// assert_eq!((row[5], row[59]), (255, 0));
+/// # Ok::<(), InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubArc {

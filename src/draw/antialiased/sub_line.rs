@@ -38,6 +38,27 @@ use crate::{
 ///
 /// A line thinner than a pixel gets lighter, not shorter: its coverage adds up to its area. For a line of one pixel
 /// whose intensity does not depend on its slope, see [`FilteredLine`](crate::draw::FilteredLine).
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::{
+///     band::Band,
+///     draw::{DrawAntialiased, PrimitiveStyle, SubLine},
+///     fixed::types::U24F8,
+///     geometry::{Sub8, SubPoint},
+/// };
+///
+/// // Along the middle of row 1, from the centre of pixel 1 to that of pixel 5, half a pixel wide.
+/// let at = |x, y| SubPoint::<Sub8>::from_pixel(Point::new(x, y));
+/// let hand = SubLine::new(at(1, 1)?, at(5, 1)?, U24F8::from_num(0.5))?;
+///
+/// let mut words = [0; 8 * 3];
+/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::zero(), Size::new(8, 3)), &mut words)?;
+/// let style = PrimitiveStyle::with_fill(Gray8::WHITE).antialiased();
+/// hand.into_styled(style).draw_on(&mut band.antialiased::<4, 4>(&mut [0; 9]))?;
+/// assert_eq!(words[8..16], [0, 64, 128, 128, 128, 64, 0, 0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SubLine {

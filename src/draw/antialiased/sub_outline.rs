@@ -39,6 +39,41 @@ pub(crate) const fn rounded(coordinate: i64) -> i64 {
 /// Implemented for contours of points, [`Path`]s (flattened), [`SubLine`](crate::draw::SubLine),
 /// [`SubEllipse`](crate::draw::SubEllipse), [`SubArc`](crate::draw::SubArc) and embedded-graphics' `Text` in an
 /// [`OutlineTextStyle`](crate::draw::OutlineTextStyle).
+///
+/// A program's own shape hands over its edges, without memory for them:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::{
+///     band::Band,
+///     coverage::SignedArea,
+///     draw::{AntialiasedPolygon, FillRule, SubOutline},
+/// };
+///
+/// /// A square on one corner: its middle and half of its diagonal, in 1/256 pixel.
+/// struct Diamond([i32; 2], i32);
+///
+/// impl SubOutline for Diamond {
+///     fn edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) {
+///         let Self([x, y], half) = *self;
+///         let corners = [[x, y - half], [x + half, y], [x, y + half], [x - half, y]];
+///         for (from, to) in corners.into_iter().zip(corners.into_iter().cycle().skip(1)) {
+///             edge(from, to);
+///         }
+///     }
+///
+///     fn is_simple(&self) -> bool {
+///         true
+///     }
+/// }
+///
+/// let marker = AntialiasedPolygon::<4, 4>::prepare(&Diamond([512, 512], 384), FillRule::NonZero)?;
+/// let mut words = [0; 5 * 3];
+/// let mut band = Band::<Gray8>::new(Rectangle::new(Point::new(0, 1), Size::new(5, 3)), &mut words)?;
+/// marker.draw(&SignedArea, Gray8::WHITE, &mut band, &mut [0; 6])?;
+/// assert_eq!(words, [0, 32, 191, 32, 0, 0, 191, 255, 191, 0, 0, 32, 191, 32, 0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 pub trait SubOutline {
     /// Calls `edge` with both ends of each edge, as (x, y) in 1/256 pixel. Every contour is closed, and its edges
     /// follow each other. For a corner outside the domain of [`Sub8`](crate::geometry::Sub8),

@@ -21,6 +21,9 @@ use crate::{
 ///   find no room are begun anew in each row, which costs time.
 ///
 /// All zero bits when new, so that a `static` lies in `.bss`.
+///
+/// [`Antialiased`](crate::draw::Antialiased) has an example, and
+/// [`Picture::edges_needed`](crate::draw::Picture::edges_needed) one of how to find the capacities.
 pub struct AntialiasingMemory<const CELLS: usize, const SEGMENTS: usize, const EDGES: usize> {
     cells: [i32; CELLS],
     segments: [RowSegment; SEGMENTS],

@@ -27,6 +27,28 @@ pub(super) const WHOLE: Window = Window {
 };
 
 /// Identifies an item of a picture, to change it: the number of its slot.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::{Circle, Rectangle}};
+/// use zrow::{band::Band, draw::{Picture, PictureSlot, PrimitiveStyle}};
+///
+/// let area = Rectangle::new(Point::zero(), Size::new(8, 1));
+/// let (mut slots, mut row) = ([PictureSlot::EMPTY; 2], [0; 8]);
+/// let mut picture = Picture::new(area, &mut slots, &mut [], &mut []);
+/// let lamp = Circle::new(Point::zero(), 4).into_styled(PrimitiveStyle::with_fill(Gray8::new(9)));
+/// let frame = Rectangle::new(Point::new(2, 0), Size::new(4, 1)).into_styled(PrimitiveStyle::with_fill(Gray8::new(5)));
+/// let lamp_id = picture.add(&lamp)?;
+/// picture.add(&frame)?;
+///
+/// // A lamp that blinks stays behind what was added after it.
+/// picture.remove(lamp_id);
+/// picture.draw(&mut Band::<Gray8>::new(area, &mut row)?);
+/// assert_eq!(row, [0, 0, 5, 5, 5, 5, 0, 0]);
+/// picture.replace(lamp_id, &lamp)?;
+/// picture.draw(&mut Band::<Gray8>::new(area, &mut row)?);
+/// assert_eq!(row, [0, 9, 5, 5, 5, 5, 0, 0]);
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ItemId(pub(super) u16);
@@ -35,6 +57,41 @@ pub struct ItemId(pub(super) u16);
 ///
 /// Whatever implements [`DrawOn`] and embedded-graphics' `Dimensions` is one: every styled shape, texts, prepared
 /// polygons and paths. The item is asked to draw only into bands that meet its rows.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::{
+///     band::{Band, Target},
+///     draw::{Picture, PictureItem, PictureSlot},
+///     geometry::Window,
+/// };
+///
+/// /// A plot of samples from the left to the right, one a column, as bars above row 4.
+/// struct Plot<const N: usize>([i32; N]);
+///
+/// impl<const N: usize> PictureItem<Gray8> for Plot<N> {
+///     fn bounds(&self) -> Window {
+///         Window { left: 0, top: 0, right: N as i32, bottom: 4 }
+///     }
+///
+///     fn draw(&self, band: &mut Band<'_, Gray8>) {
+///         let raw = band.raw(Gray8::WHITE);
+///         for (x, sample) in (0..).zip(self.0) {
+///             let Ok(()) = band.fill_window(Window { left: x, top: 4 - sample, right: x + 1, bottom: 4 }, raw);
+///         }
+///     }
+/// }
+///
+/// let plot = Plot([1, 3, 2]);
+/// let area = Rectangle::new(Point::zero(), Size::new(4, 4));
+/// let (mut slots, mut words) = ([PictureSlot::EMPTY; 1], [0; 4]);
+/// let mut picture = Picture::new(area, &mut slots, &mut [], &mut []);
+/// picture.add_item(&plot)?;
+/// // Row 2 shows the samples of 2 and more.
+/// picture.draw(&mut Band::<Gray8>::new(Rectangle::new(Point::new(0, 2), Size::new(4, 1)), &mut words)?);
+/// assert_eq!(words, [0, 255, 255, 0]);
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 pub trait PictureItem<C: BandColor, O: Order = LittleEndian> {
     /// A rectangle around all that is drawn, in pixels of the picture.
     fn bounds(&self) -> Window;
@@ -331,6 +388,24 @@ impl Extent {
 /// Memory for one item of a [`Picture`](crate::draw::Picture): 32 bytes on a 32-bit machine, 36 for 32-bit colours.
 ///
 /// All zero bits when empty, so that a `static` lies in `.bss`.
+///
+/// A picture whose slots are too few says how many it needs:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use zrow::{
+///     draw::{Picture, PictureSlot, PrimitiveStyle},
+///     geometry::{InputError, TooSmall},
+/// };
+///
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// let panel = area.into_styled(PrimitiveStyle::with_fill(Rgb565::BLUE));
+/// let mut slots = [PictureSlot::EMPTY; 1];
+/// let mut picture = Picture::<Rgb565>::new(area, &mut slots, &mut [], &mut []);
+/// picture.add(&panel)?;
+/// assert_eq!(picture.add(&panel), Err(InputError::TooSmall(TooSmall::Items(2))));
+/// # Ok::<(), InputError>(())
+/// ```
 pub struct PictureSlot<'a, C: BandColor, O: Order = LittleEndian> {
     pub(super) extent: Extent,
     /// The next item of the bucket or of the active list.

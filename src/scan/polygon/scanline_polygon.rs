@@ -27,6 +27,23 @@ use crate::{
 };
 
 /// Which winding numbers are inside.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+/// use zrow::draw::{FillRule, Polygon, PrimitiveStyle};
+///
+/// // Both contours run clockwise, so that the inner one is surrounded twice.
+/// let outer = [Point::new(0, 0), Point::new(8, 0), Point::new(8, 4), Point::new(0, 4)];
+/// let inner = [Point::new(2, 1), Point::new(6, 1), Point::new(6, 3), Point::new(2, 3)];
+/// let contours: [&[Point]; 2] = [&outer, &inner];
+/// for (rule, row) in [(FillRule::EvenOdd, "##    ##"), (FillRule::NonZero, "########")] {
+///     let mut display = MockDisplay::new();
+///     let polygon = Polygon::new(&contours, rule).prepare::<4, 4>()?;
+///     let Ok(()) = polygon.into_styled(PrimitiveStyle::with_fill(BinaryColor::On)).draw(&mut display);
+///     display.assert_pattern(&["########", row, row, "########"]);
+/// }
+/// # Ok::<(), zrow::geometry::TooSmall>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum FillRule {

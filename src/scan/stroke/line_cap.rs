@@ -6,6 +6,25 @@
 use crate::scan::stroke::wide_stroke::{Offsets, Position, UNIT};
 
 /// How an open stroke, or a dash, begins and ends.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Line};
+/// use zrow::draw::{LineCap, StrokeStyle};
+///
+/// // From column 3 to column 7, five pixels wide.
+/// let line = Line::new(Point::new(3, 2), Point::new(7, 2));
+/// for (cap, pattern) in [
+///     (LineCap::WholePixel, ["   #####  "; 5]),
+///     (LineCap::Butt, ["   ####   "; 5]),
+///     (LineCap::Square, [" #########"; 5]),
+///     (LineCap::Round, ["  ####### ", " #########", " #########", " #########", "  ####### "]),
+/// ] {
+///     let mut display = MockDisplay::new();
+///     line.into_styled(StrokeStyle::new(BinaryColor::On, 5).cap(cap)).draw(&mut display)?;
+///     display.assert_pattern(&pattern);
+/// }
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum LineCap {

@@ -18,6 +18,24 @@ const FURTHEST_TIP: i64 = 8_192 * UNIT;
 const BLUNT: i64 = 4;
 
 /// How a stroke turns a corner.
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Polyline};
+/// use zrow::draw::{LineJoin, StrokeStyle};
+///
+/// // A corner at (2, 2), five pixels wide: joins differ in its first two rows.
+/// let corner = [Point::new(2, 5), Point::new(2, 2), Point::new(5, 2)];
+/// for (join, [first, second]) in [
+///     (LineJoin::MITER, ["######", "######"]),
+///     (LineJoin::Bevel, ["  ####", " #####"]),
+///     (LineJoin::Round, [" #####", "######"]),
+/// ] {
+///     let mut display = MockDisplay::new();
+///     Polyline::new(&corner).into_styled(StrokeStyle::new(BinaryColor::On, 5).join(join)).draw(&mut display)?;
+///     display.assert_pattern(&[first, second, "######", "######", "######", "##### "]);
+/// }
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq, Hash)]
 pub enum LineJoin {
     /// The outer sides go on until they meet in a tip. A corner whose tip is further away from it than `limit` half widths
