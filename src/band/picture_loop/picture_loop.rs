@@ -308,7 +308,7 @@ pub enum LoopError<E, X = Infallible> {
     TooSmall(TooSmall),
     /// The sink failed, with its error.
     Sink(E),
-    /// The scene failed, with its error.
+    /// The scene failed, with its error; [`Infallible`] for scenes that return nothing.
     Scene(X),
 }
 

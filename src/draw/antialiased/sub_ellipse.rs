@@ -212,7 +212,7 @@ const ANGLE_SHIFT: u32 = TURN_BITS - 16;
 
 impl SubArc {
     /// An arc between two radii in pixels, in either order. `start` and `sweep` are parts of a turn, measured clockwise
-    /// on the screen; `start` is measured from the x axis.
+    /// on the screen; `start` is measured from the x axis. A sweep is less than a turn: a whole one is a [`ring`](Self::ring).
     ///
     /// # Errors
     /// [`InputError::OutOfDomain`] where the circle of the outer radius leaves the domain of [`Sub8`].

@@ -53,7 +53,8 @@ pub trait DrawOn {
     fn draw_on<T: Target<Color = Self::Color>>(&self, target: &mut T) -> Result<(), T::Error>;
 }
 
-/// Draws on a [`BlendTarget`], such as a band: what is drawn is mixed with what is there.
+/// Draws on a [`BlendTarget`], such as a band: what is drawn is mixed with what is there. Texts in a
+/// [`MaskTextStyle`](crate::draw::MaskTextStyle) do.
 ///
 /// ```
 /// # use embedded_graphics::mono_font::DecorationDimensions;
