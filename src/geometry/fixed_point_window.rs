@@ -6,6 +6,26 @@ use crate::geometry::{InputError, SubPixel, SubPoint, Window};
 ///
 /// All of it lies in the domain of `S`: whatever is cut to it does too. It holds no point where `left > right` or
 /// `top > bottom`, and a single point where both are equal.
+///
+/// The trace of a chart, cut where its frame ends:
+///
+/// ```
+/// use embedded_graphics::{prelude::*, primitives::Rectangle};
+/// use zrow::{
+///     clip::Segments,
+///     geometry::{FixedPointWindow, Sub8, SubPoint, Window},
+/// };
+///
+/// let frame = Window::from(Rectangle::new(Point::new(10, 10), Size::new(100, 40)));
+/// let window = FixedPointWindow::<Sub8>::over_areas(&frame)?;
+/// let at = |x, y| SubPoint::from_pixel(Point::new(x, y));
+/// // The line leaves through the upper side, half a pixel above the centres of row 10.
+/// let (start, end) = (at(20, 30)?, at(80, -30)?);
+/// let part = Segments::liang_barsky(start, end, &window);
+/// assert_eq!(part, Some((start, SubPoint::from_units(81 * 128, 19 * 128)?)));
+/// assert_eq!(Segments::liang_barsky(at(20, 5)?, at(80, 9)?, &window), None);
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct FixedPointWindow<S: SubPixel> {
     top_left: SubPoint<S>,

@@ -7,6 +7,32 @@ use crate::geometry::TooSmall;
 /// What was handed in cannot be used: says what is wrong with it, where, and what would do.
 ///
 /// Plain data without code of its own; the texts are linked only where a program displays the error.
+///
+/// A program draws on without the model that an error names:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::{
+///     geometry::InputError,
+///     scene::{Camera, FaceSet, Memory, Model, Whole},
+/// };
+///
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+/// let mesh = FaceSet::new(&[[-512, -512, 0], [0, 512, 0], [512, -512, 0]], &[[0, 1, 2]])?;
+/// let mut models = [Model::new(mesh, &[Rgb565::RED])?; 2];
+/// models[0].pose.translation = [0, 0, 1024].map(I16F16::from_num);
+/// // The other one stays where the camera is.
+/// let mut memory = Memory::<Whole<Rgb565>, 6, 2, 64, 64>::new();
+/// let mut in_front = models.len();
+/// while let Err(error) = memory.prepare(&camera, &models[..in_front]) {
+///     let InputError::BeforeNearPlane { model } = error else { return Err(error) };
+///     models[model..in_front].rotate_left(1);
+///     in_front -= 1;
+/// }
+/// assert_eq!(in_front, 1);
+/// # Ok::<(), InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -10,6 +10,22 @@ use fixed::types::{I12F4, I24F8};
 use crate::geometry::InputError;
 
 /// A sub-pixel precision: [`Sub4`] or [`Sub8`].
+///
+/// What is written for any precision is used with the one that a program chooses:
+///
+/// ```
+/// use zrow::geometry::{InputError, Sub4, Sub8, SubPixel, SubPoint};
+///
+/// /// A position that a touch controller reports in 1/4 pixel.
+/// fn touched<S: SubPixel>([x, y]: [u16; 2]) -> Result<SubPoint<S>, InputError> {
+///     let units = |quarters: u16| i32::from(quarters) << (S::FRACTION_BITS - 2);
+///     SubPoint::from_units(units(x), units(y))
+/// }
+///
+/// assert_eq!(touched::<Sub4>([10, 321])?.x_units(), 40);
+/// assert_eq!(touched::<Sub8>([10, 321])?.x_units(), 640);
+/// # Ok::<(), InputError>(())
+/// ```
 pub trait SubPixel: Copy + Clone + Debug + Default + PartialEq + Eq + Send + Sync + 'static {
     /// The fixed-point type of a coordinate, in pixels.
     type Coordinate: Copy + Debug + Default + PartialEq + Eq + PartialOrd + Ord + Send + Sync;
@@ -28,6 +44,28 @@ pub trait SubPixel: Copy + Clone + Debug + Default + PartialEq + Eq + Send + Syn
 }
 
 /// 12.4 fixed point in 16 bits: 1/16 pixel, domain -1024 to 1023 pixels, set-up in 32-bit arithmetic.
+///
+/// Half the memory of [`Sub8`], for what stays on a small panel:
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+/// use zrow::{
+///     draw::{FillRule, Polygon, PrimitiveStyle},
+///     geometry::{InputError, Sub4, SubPoint},
+/// };
+///
+/// // From half a pixel to 3.5 pixels: its sides are those of the pixels 1 to 3.
+/// let at = SubPoint::<Sub4>::from_units;
+/// let corners = [at(8, 8)?, at(56, 8)?, at(56, 56)?, at(8, 56)?];
+/// assert_eq!(size_of_val(&corners), 4 * 4);
+/// let contours = [corners.as_slice()];
+/// let square = Polygon::new(&contours, FillRule::NonZero).prepare::<2, 2>()?;
+/// let mut display = MockDisplay::new();
+/// let Ok(()) = square.into_styled(PrimitiveStyle::with_fill(BinaryColor::On)).draw(&mut display);
+/// display.assert_pattern(&["    ", " ###", " ###", " ###"]);
+/// assert!(SubPoint::<Sub4>::from_pixel(Point::new(1024, 0)).is_err());
+/// # Ok::<(), InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sub4;
@@ -35,6 +73,25 @@ pub struct Sub4;
 /// 24.8 fixed point in 32 bits: 1/256 pixel, domain -8191 to 8191 pixels, set-up in 64-bit arithmetic.
 ///
 /// The eight fractional bits of Direct3D 11 and most Vulkan devices.
+///
+/// Fine enough for a needle that moves by less than a pixel from frame to frame:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+/// use zrow::{band::Band, draw::FilteredLine, geometry::{Sub8, SubPoint}};
+///
+/// let at = SubPoint::<Sub8>::from_units;
+/// let needle_at = |x: i32| -> Result<[u8; 5], Box<dyn core::error::Error>> {
+///     let mut row = [0; 5];
+///     let mut band = Band::<Gray8>::new(Rectangle::new(Point::new(0, 20), Size::new(5, 1)), &mut row)?;
+///     let Ok(()) = FilteredLine::new(at(x, 0)?, at(x, 40 * 256)?)?.draw(&mut band, Gray8::WHITE);
+///     Ok(row)
+/// };
+/// assert_eq!(needle_at(2 * 256)?, [0, 28, 199, 28, 0]);
+/// // 1/8 pixel farther right.
+/// assert_eq!(needle_at(2 * 256 + 32)?, [0, 14, 194, 47, 0]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sub8;
@@ -88,6 +145,23 @@ impl InputError {
 }
 
 /// A point at sub-pixel precision `S`, in pixels.
+///
+/// ```
+/// use embedded_graphics::prelude::*;
+/// use fixed::types::I24F8;
+/// use zrow::geometry::{InputError, Sub8, SubPoint};
+///
+/// /// Where a chart has a reading: a column each, and 0 to 4095 on 100 rows upwards.
+/// fn of_reading(column: i32, reading: u16) -> Result<SubPoint<Sub8>, InputError> {
+///     SubPoint::from_units(256 * column, 256 * 100 - i32::from(reading) * (256 * 100) / 4096)
+/// }
+///
+/// let half = of_reading(3, 2048)?;
+/// assert_eq!(half, SubPoint::from_pixel(Point::new(3, 50))?);
+/// assert_eq!(of_reading(4, 2064)?.y, I24F8::from_num(49.609375));
+/// assert_eq!(of_reading(9000, 0), Err(InputError::OutOfDomain { min: -8191, max: 8191 }));
+/// # Ok::<(), InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 pub struct SubPoint<S: SubPixel> {
     /// Column; grows to the right.

@@ -4,6 +4,26 @@ use core::fmt::{self, Display};
 
 /// Memory that the caller lends is too small: a table, whose capacity is a const parameter, or a slice. What was prepared
 /// before is as it was. The variant says what the memory is for and how many entries would do.
+///
+/// While a program is written, the number goes into the constant that is too small. One that draws in spare memory fits
+/// its work to it:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use zrow::{band::Band, geometry::TooSmall};
+///
+/// let mut spare = [0; 1000];
+/// let mut area = Rectangle::new(Point::zero(), Size::new(240, 16));
+/// let error = Band::<Rgb565>::new(area, &mut spare).err();
+/// assert_eq!(error, Some(TooSmall::Words(3840)));
+/// let text = "the slice of words is too small: 3840 are needed, pass a longer one";
+/// assert_eq!(error.map(|error| error.to_string()).as_deref(), Some(text));
+/// // 240 words a row: four rows fit into a thousand.
+/// while let Err(TooSmall::Words(_)) = Band::<Rgb565>::new(area, &mut spare) {
+///     area.size.height /= 2;
+/// }
+/// assert_eq!(area.size.height, 4);
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]

@@ -8,6 +8,33 @@ use crate::geometry::{SubPixel, SubPoint};
 
 /// A corner of a polygon: a pixel (any `i32`), or a [`SubPoint`] of either precision.
 ///
+/// Points of a font in 1/64 pixel, filled as they are:
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+/// use zrow::{
+///     draw::{FillRule, Polygon, PrimitiveStyle},
+///     geometry::Vertex,
+/// };
+///
+/// /// 26.6 fixed point, as FreeType has it.
+/// #[derive(Debug, Copy, Clone)]
+/// struct FontPoint(i16, i16);
+///
+/// impl Vertex for FontPoint {
+///     const FRACTION_BITS: u32 = 6;
+///     fn x_units(&self) -> i32 { self.0.into() }
+///     fn y_units(&self) -> i32 { self.1.into() }
+/// }
+///
+/// let contours = [[FontPoint(96, -32), FontPoint(224, 160), FontPoint(-32, 160)].as_slice()];
+/// let glyph = Polygon::new(&contours, FillRule::NonZero).prepare::<2, 2>()?;
+/// let mut display = MockDisplay::new();
+/// let Ok(()) = glyph.into_styled(PrimitiveStyle::with_fill(BinaryColor::On)).draw(&mut display);
+/// display.assert_pattern(&["    ", " ## ", "####"]);
+/// # Ok::<(), zrow::geometry::TooSmall>(())
+/// ```
+///
 /// A vertex type with more than 16 fractional bits does not compile where it is used:
 ///
 /// ```compile_fail,E0080

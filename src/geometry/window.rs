@@ -11,6 +11,20 @@ use crate::geometry::{InputError, distance};
 ///
 /// The half-open form cannot hold column or row `i32::MAX`; no display is there. A window without pixels has
 /// `left >= right` or `top >= bottom`.
+///
+/// ```
+/// use embedded_graphics::{prelude::*, primitives::Rectangle};
+/// use zrow::geometry::Window;
+///
+/// let panel = Window::from(Rectangle::new(Point::zero(), Size::new(240, 320)));
+/// // A label that hangs over the right side: what of it is to be sent?
+/// let label = Window::from(Rectangle::new(Point::new(200, 10), Size::new(80, 16)));
+/// let visible = label.intersection(&panel);
+/// assert_eq!(visible.to_rectangle(), Rectangle::new(Point::new(200, 10), Size::new(40, 16)));
+/// assert!(visible.contains(Point::new(239, 25)) && !visible.contains(Point::new(240, 25)));
+/// // No row of the label is in the band of the last 20 rows.
+/// assert!(!label.meets(&Window { top: 300, ..panel }));
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Window {

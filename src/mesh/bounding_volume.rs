@@ -13,6 +13,25 @@ use crate::mesh::{BoundingBox, BoundingCylinder, BoundingSphere, bounding_cylind
 
 /// A [`BoundingBox`], a [`BoundingSphere`] or a [`BoundingCylinder`], made by `into()`: what
 /// [`Shading::bounds`](crate::shade::Shading::bounds) gives, and [`Camera::may_see`](crate::scene::Camera::may_see) takes.
+///
+/// Bounds of different kinds in one table:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::scene::{BoundingBox, BoundingSphere, BoundingVolume, Camera, Pose};
+///
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+/// // A wall ahead, a ball to its left, and a mast behind the camera.
+/// let scenery: [BoundingVolume; 3] = [
+///     BoundingBox::around(&[[-300, 0, 1000], [300, 200, 1020]]).into(),
+///     BoundingSphere::around(&[[-5000, 0, 1000], [-4800, 0, 1000]]).into(),
+///     BoundingBox::around(&[[0, 0, -500], [10, 900, -490]]).into(),
+/// ];
+/// let may_be_seen = scenery.map(|bounds| camera.may_see::<Rgb565>(bounds, &Pose::IDENTITY));
+/// assert_eq!(may_be_seen, [true, false, false]);
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BoundingVolume {

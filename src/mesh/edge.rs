@@ -4,6 +4,34 @@ use crate::mesh::neighbours::NO_NEIGHBOUR;
 
 /// Whether the surface of a mesh ends at an edge, turns sharply there or hardly turns: where a mesh is drawn as lines, that
 /// decides which edges are drawn.
+///
+/// Outlines are thick and creases thin, as in a technical drawing:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::{I2F14, I16F16};
+/// use zrow::scene::{Camera, Edge, EdgeKind, FaceSet, Memory, Model};
+///
+/// /// A sheet that is folded towards the camera.
+/// const VERTICES: [[i16; 3]; 4] = [[-512, -256, 1024], [0, 0, 800], [0, 512, 800], [512, -256, 1024]];
+/// const FACES: [[u16; 3]; 2] = [[0, 2, 1], [1, 2, 3]];
+/// static EDGES: [Edge; 5] = match FaceSet::find_edges(&VERTICES, &FACES, I2F14::lit("0.866")) {
+///     Ok(edges) => edges,
+///     Err(_) => panic!("a face names a vertex that is not there, or the table is too small"),
+/// };
+///
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+/// let models = [Model::new(FaceSet::new(&VERTICES, &FACES)?, &[Rgb565::RED; 2])?];
+/// let mut memory = Memory::<Rgb565, 4, 2, 64, 64>::new();
+/// let scene = memory.prepare(&camera, &models)?;
+/// let widths = scene.edges(0, &EDGES).map(|edge| match edge.kind {
+///     EdgeKind::Boundary => 3,
+///     EdgeKind::Smooth => 2,
+///     EdgeKind::Crease => 1,
+/// });
+/// assert_eq!(widths.collect::<Vec<u32>>(), [3, 1, 3, 3, 3]);
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum EdgeKind {
@@ -20,6 +48,29 @@ pub enum EdgeKind {
 ///
 /// [`FaceSet::find_edges`](crate::scene::FaceSet::find_edges) finds the edges of a mesh, the mesh converter writes them with
 /// `--edges 30`, and [`Prepared::edges`](crate::scene::Prepared::edges) says where they are on the screen.
+///
+/// A table may hold any line that is drawn where faces are seen, such as the diagonal of a square, which is no edge of
+/// the mesh because both of its faces lie in one plane:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::{I16F16, U0F16};
+/// use zrow::scene::{Camera, Edge, FaceSet, Memory, Model, Pose, Rotation};
+///
+/// const VERTICES: [[i16; 3]; 4] = [[-512, -512, 0], [-512, 512, 0], [512, 512, 0], [512, -512, 0]];
+/// static DIAGONAL: [Edge; 1] = [Edge::crease([0, 2], [0, 1])];
+///
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+/// let mesh = FaceSet::new(&VERTICES, &[[0, 1, 2], [0, 2, 3]])?;
+/// let mut memory = Memory::<Rgb565, 4, 2, 64, 64>::new();
+/// for (turns, lines) in [(0.0, 1), (0.5, 0)] {
+///     let rotation = Rotation::about_y(U0F16::from_num(turns));
+///     let pose = Pose::new(rotation, [0, 0, 1024].map(I16F16::from_num::<i32>));
+///     let models = [Model::new(mesh, &[Rgb565::RED; 2])?.with_pose(pose)];
+///     assert_eq!(memory.prepare(&camera, &models)?.edges(0, &DIAGONAL).count(), lines);
+/// }
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Edge {

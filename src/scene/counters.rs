@@ -11,6 +11,36 @@ use crate::visible::Count;
 /// [`Counted`](crate::scene::Counted).
 ///
 /// Numbers of faces are those of the whole frame; the others are of the rows that were drawn since it was prepared.
+///
+/// How many depths are tested for each pixel of the panel says how much lies behind other things, and how many faces
+/// are left out how much of the models is not seen:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::{
+///     band::Band,
+///     scene::{Camera, Counted, Counters, FaceSet, Memory, Model},
+/// };
+///
+/// // A wall, another one behind it, and one that is seen from behind.
+/// const WALL: [[i16; 3]; 3] = [[-512, -512, 512], [0, 512, 512], [512, -512, 512]];
+/// const BEHIND: [[i16; 3]; 3] = [[-512, -512, 700], [0, 512, 700], [512, -512, 700]];
+/// let models = [
+///     Model::new(FaceSet::new(&BEHIND, &[[0, 1, 2], [0, 2, 1]])?, &[Rgb565::BLUE; 2])?,
+///     Model::new(FaceSet::new(&WALL, &[[0, 1, 2]])?, &[Rgb565::RED])?,
+/// ];
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// let camera = Camera::new(area, I16F16::from_num(128))?;
+/// let mut memory = Memory::<Counted<Rgb565>, 6, 3, 64, 64>::new();
+/// let mut scene = memory.prepare(&camera, &models)?;
+/// scene.draw_with(&mut Band::<Rgb565>::new(area, &mut [0; 64 * 64])?, |_| {});
+/// let Counters { faces, faces_culled, pixels_tested, .. } = scene.counters();
+/// assert_eq!((faces, faces_culled), (3, 1));
+/// // A half of the picture for the wall, a quarter for the hidden one.
+/// assert_eq!(100 * pixels_tested / (64 * 64), 75);
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counters {

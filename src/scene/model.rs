@@ -8,6 +8,29 @@ use crate::{geometry::TooSmall, mesh::FaceSet, shade::Shading, surface::BandColo
 ///
 /// `H` is the [`Shading`] of the scene's look; a colour, such as `Rgb565`, where each face has one. A model is turned and moved
 /// by its pose; one that is stretched or mirrored as well has a [`Transformed`](crate::shade::Transformed) shading.
+///
+/// Two models of one mesh, which lies in flash once:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::scene::{Camera, FaceSet, Memory, Model, Pose};
+///
+/// static SAIL: FaceSet = match FaceSet::new(&[[-300, -300, 0], [0, 300, 0], [300, -300, 0]], &[[0, 1, 2]]) {
+///     Ok(faces) => faces,
+///     Err(_) => panic!("a face names a vertex that is not there"),
+/// };
+/// let at = |x, z| Pose { translation: [x, 0, z].map(I16F16::from_num::<i32>), ..Pose::IDENTITY };
+/// let models = [
+///     Model::new(SAIL, &[Rgb565::RED])?.with_pose(at(-400, 1024)),
+///     Model::new(SAIL, &[Rgb565::WHITE])?.with_pose(at(400, 1024)),
+/// ];
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+/// let mut memory = Memory::<Rgb565, { 2 * SAIL.vertices().len() }, 2, 64, 64>::new();
+/// let scene = memory.prepare(&camera, &models)?;
+/// assert_eq!([20, 32, 44].map(|x| scene.face_at(Point::new(x, 32))), [Some(0), None, Some(1)]);
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 pub struct Model<'a, H: Shading> {
     mesh: FaceSet<'a>,
     skin: H::Skin<'a>,

@@ -1,6 +1,6 @@
 //! The instruction sets for which it is predicted how many instructions a frame takes.
 
-/// An instruction set of small chips, for [`Prepared::estimate`](crate::scene::Prepared::estimate).
+/// An instruction set of small chips, for [`Prepared::estimate`](crate::scene::Prepared::estimate) and its example.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum InstructionSet {

@@ -21,6 +21,28 @@ use crate::{
 /// and v - 1/2 (and the viewport's top left corner added). The centre (c, d) is (W/2, H/2) until it is set: a symmetric scene
 /// gives a symmetric picture. The focal length f is W/2 pixels until it is set: a horizontal field of view of 90 degrees.
 /// Without perspective u = c + s x and v = d - s y, for a scale s of one pixel a unit until it is set.
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::{I16F16, U0F16};
+/// use zrow::scene::{BoundingSphere, Camera, Pose};
+///
+/// // Sixty degrees wide, from 64 to 8,000 units.
+/// let panel = Rectangle::new(Point::zero(), Size::new(320, 240));
+/// let lens = Camera::new(panel, I16F16::from_num(64))?
+///     .with_field_of_view(U0F16::from_num(1.0 / 6.0))?
+///     .with_far(I16F16::from_num(8000))?;
+/// assert_eq!(lens.focal_length().round(), 277);
+///
+/// // The same lens in each frame, at another place: a lighthouse comes out of the haze.
+/// let lighthouse = BoundingSphere::around(&[[0, 0, 9000], [0, 400, 9000]]);
+/// let is_seen_from = |z: i32| {
+///     let camera = lens.with_pose(Pose { translation: [0, 100, z].map(I16F16::from_num), ..Pose::IDENTITY });
+///     camera.may_see::<Rgb565>(lighthouse, &Pose::IDENTITY)
+/// };
+/// assert_eq!([0, 500, 1000, 1500].map(is_seen_from), [false, false, true, true]);
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Camera {
     viewport: Window,

@@ -7,6 +7,40 @@ use crate::surface::PixelWord;
 /// Depth is NDC z, affine in 1/w: nearly the greatest value at the near plane, falling to the smallest at infinity.
 /// The cleared row holds 0, which is farther than everything. One unit at distance z is z²/(near * 65,535) of space
 /// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
+///
+/// A sign at a distance of the program's own, hidden by what is nearer:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::{
+///     band::Band,
+///     draw::{DrawOn, PrimitiveStyle},
+///     scene::{Camera, DepthWidth, FaceSet, Memory, Model},
+/// };
+///
+/// /// The depth that a scene in perspective has at a distance from the camera, at the near plane or behind it.
+/// fn depth_at<D: DepthWidth>(camera: &Camera, distance: u32) -> D {
+///     let near = u64::from(camera.near().to_num::<u32>());
+///     D::from_near_over_z(((near << 31) / u64::from(distance)) as u32)
+/// }
+///
+/// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+/// let camera = Camera::new(area, I16F16::from_num(128))?;
+/// let mesh = FaceSet::new(&[[-512, -512, 1024], [0, 512, 1024], [512, -512, 1024]], &[[0, 1, 2]])?;
+/// let models = [Model::new(mesh, &[Rgb565::RED])?];
+/// let mut memory = Memory::<Rgb565, 3, 1, 64, 64>::new();
+/// let mut scene = memory.prepare(&camera, &models)?;
+/// let sign = area.into_styled(PrimitiveStyle::with_fill(Rgb565::GREEN));
+/// for (distance, color) in [(1000, Rgb565::GREEN), (1050, Rgb565::RED)] {
+///     let mut words = [0; 64 * 64];
+///     scene.draw_with(&mut Band::<Rgb565>::new(area, &mut words)?, |row| {
+///         let Ok(()) = sign.draw_on(&mut row.at_depth(depth_at(&camera, distance)));
+///     });
+///     assert_eq!(words[32 * 64 + 32], color.into_storage());
+/// }
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 pub trait DepthWidth: PixelWord + Default + Ord + Into<u32> + Send + Sync + sealed::Sealed {
     /// The value that a depth row is cleared to: farther than everything.
     const FARTHEST: Self;

@@ -5,6 +5,23 @@ use fixed::types::I16F16;
 use crate::{geometry::InputError, view::Rotation};
 
 /// A rotation, then a translation in units of the models' vertices.
+///
+/// ```
+/// use fixed::types::{I16F16, U0F16};
+/// use zrow::scene::{Pose, Rotation};
+///
+/// let at = |x, y, z| [x, y, z].map(I16F16::from_num::<i32>);
+/// let [right, left] = [0.25, 0.75].map(|turns| Rotation::about_y(U0F16::from_num(turns)));
+/// // A tank that has turned right, its turret above it, which looks to the left, and the muzzle of its gun.
+/// let tank = Pose::new(right, at(1000, 0, 2000));
+/// let turret = Pose::new(left, at(0, 80, 0));
+/// let muzzle = Pose::new(Rotation::IDENTITY, at(0, 10, 150));
+/// let in_world = muzzle.then(&turret)?.then(&tank)?;
+/// assert_eq!(in_world, Pose::new(Rotation::IDENTITY, at(1000, 90, 2150)));
+/// // Where the muzzle is for someone who sits in the tank.
+/// assert_eq!(in_world.then(&tank.inverse()?)?.translation, at(-150, 90, 0));
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub struct Pose {
     /// The orientation of the object.

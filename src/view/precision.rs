@@ -7,6 +7,30 @@ use fixed::types::I2F30;
 use crate::geometry::{HAS_DIVIDER, Sub4, Sub8, SubPixel};
 
 /// A [`SubPixel`] precision of screen vertices and edges: [`Sub4`] or [`Sub8`].
+///
+/// A [`Look`](crate::scene::Look) names one, and what is on the screen has it:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// use fixed::types::I16F16;
+/// use zrow::{
+///     geometry::SubPoint,
+///     scene::{Camera, FaceSet, Fine, Look, Memory, Model, Prepared},
+/// };
+///
+/// /// The leftmost vertex on the screen, as where a label is put, in any look.
+/// fn leftmost<L: Look>(scene: &Prepared<'_, '_, L>) -> Option<SubPoint<L::Precision>> {
+///     scene.points().map(|point| point.corner.point).min_by_key(|point| point.x)
+/// }
+///
+/// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
+/// let mesh = FaceSet::new(&[[-513, -512, 1024], [0, 512, 1024], [512, -512, 1024]], &[[0, 1, 2]])?;
+/// let models = [Model::new(mesh, &[Rgb565::RED])?];
+/// let (mut memory, mut fine) = (Memory::<Rgb565, 3, 1, 64, 64>::new(), Memory::<Fine<Rgb565>, 3, 1, 64, 64>::new());
+/// assert_eq!(leftmost(&memory.prepare(&camera, &models)?).map(|point| point.x_units()), Some(248));
+/// assert_eq!(leftmost(&fine.prepare(&camera, &models)?).map(|point| point.x_units()), Some(3960));
+/// # Ok::<(), zrow::geometry::InputError>(())
+/// ```
 pub trait ScreenPrecision: SubPixel + sealed::Sealed {
     /// The integer type of a coordinate of the domain, or of the difference of two, in units.
     type Units: Copy + Debug + Default + PartialEq + Eq + Into<i32> + Send + Sync;

@@ -24,6 +24,23 @@ use crate::view::sine::{cosine, sine};
 ///
 /// Cost: ten multiplications for each angle about x, y or z, 27 for each composition; 45 more for one of more than twelve angles, which
 /// counts as one angle from then on. Two rotations are equal where their matrices are.
+///
+/// What turns evenly is built from the number of the frame:
+///
+/// ```
+/// use fixed::types::{I2F30, U0F16};
+/// use zrow::scene::Rotation;
+///
+/// // 1/512 of a turn a frame about the axis of a globe, which is tilted by a sixteenth.
+/// let tilt = Rotation::about_z(U0F16::from_num(1.0 / 16.0));
+/// let globe = |frame: u16| Rotation::about_y(U0F16::from_bits(frame.wrapping_mul(128))).then(&tilt);
+/// assert_eq!(globe(0), tilt);
+/// // Nothing has added up after a turn.
+/// assert_eq!(globe(512), tilt);
+/// // After a half, the axis is where it was, and what was in front is behind.
+/// let [[_, y_to_x, _], _, [.., z_to_z]] = *globe(256).matrix();
+/// assert_eq!((y_to_x, z_to_z), (tilt.matrix()[0][1], -I2F30::ONE));
+/// ```
 #[derive(Debug, Copy, Clone)]
 pub struct Rotation {
     matrix: [[I2F30; 3]; 3],

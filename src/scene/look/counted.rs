@@ -8,6 +8,8 @@ use crate::scene::{Counters, Look};
 /// is the same.
 ///
 /// RAM: 52 bytes in the prepared frame. Cost: some instructions a span, and three a fragment.
+///
+/// [`Counters`] has an example.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counted<L>(PhantomData<L>);

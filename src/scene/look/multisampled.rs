@@ -17,6 +17,8 @@ use crate::scene::Look;
 /// ([`Look::DRAWS_IN_PASSES`]), and none without depths. Around [`Antialiased`](crate::scene::Antialiased) it draws no
 /// silhouettes; within it there are no samples. [`Prepared::estimate`](crate::scene::Prepared::estimate) predicts what `L`
 /// takes. Memory: that of `L`.
+///
+/// [`Prepared::draw_samples`](crate::scene::Prepared::draw_samples) has an example.
 #[derive(Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Multisampled<L>(PhantomData<L>);
