@@ -8,7 +8,8 @@ use crate::surface::PixelWord;
 /// The cleared row holds 0, which is farther than everything. One unit at distance z is z²/(near * 65,535) of space
 /// with `u16`, 256 times finer with `u32`, whose low 8 bits hold the fraction of a 24-bit depth.
 ///
-/// A sign at a distance of the program's own, hidden by what is nearer:
+/// A sign at a distance of the program's own, hidden by what is nearer: [`Camera::depth_at`](crate::scene::Camera::depth_at) says
+/// what is stored there.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -16,14 +17,9 @@ use crate::surface::PixelWord;
 /// use zrow::{
 ///     band::Band,
 ///     draw::{DrawOn, PrimitiveStyle},
-///     scene::{Camera, DepthWidth, FaceSet, Memory, Model},
+///     geometry::Sub4,
+///     scene::{Camera, FaceSet, Memory, Model},
 /// };
-///
-/// /// The depth that a scene in perspective has at a distance from the camera, at the near plane or behind it.
-/// fn depth_at<D: DepthWidth>(camera: &Camera, distance: u32) -> D {
-///     let near = u64::from(camera.near().to_num::<u32>());
-///     D::from_near_over_z(((near << 31) / u64::from(distance)) as u32)
-/// }
 ///
 /// let area = Rectangle::new(Point::zero(), Size::new(64, 64));
 /// let camera = Camera::new(area, I16F16::from_num(128))?;
@@ -33,9 +29,11 @@ use crate::surface::PixelWord;
 /// let mut scene = memory.prepare(&camera, &models)?;
 /// let sign = area.into_styled(PrimitiveStyle::with_fill(Rgb565::GREEN));
 /// for (distance, color) in [(1000, Rgb565::GREEN), (1050, Rgb565::RED)] {
+///     // The precision and the width of depths of a look that is neither `Fine` nor `Deep`.
+///     let depth = camera.depth_at::<Sub4, u16>(I16F16::from_num(distance));
 ///     let mut words = [0; 64 * 64];
 ///     scene.draw_with(&mut Band::<Rgb565>::new(area, &mut words)?, |row| {
-///         let Ok(()) = sign.draw_on(&mut row.at_depth(depth_at(&camera, distance)));
+///         let Ok(()) = sign.draw_on(&mut row.at_depth(depth));
 ///     });
 ///     assert_eq!(words[32 * 64 + 32], color.into_storage());
 /// }
