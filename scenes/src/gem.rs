@@ -34,7 +34,7 @@ const DISTANCE: I16F16 = I16F16::lit("1960");
 /// From the middle of one gem to that of the next, in units of the vertices.
 const ASIDE: I16F16 = I16F16::lit("1130");
 
-/// What each gem shows, and the column of its middle.
+/// The captions below the three gems, each with the column of the picture on which it is centred.
 const CAPTIONS: [(&str, i32); 3] = [("vertices", 63), ("edges", 160), ("facets", 257)];
 
 const LABEL_COLOR: Rgb565 = rgb(150, 165, 190);

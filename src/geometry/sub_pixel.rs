@@ -11,7 +11,7 @@ use crate::geometry::InputError;
 
 /// A sub-pixel precision: [`Sub4`] or [`Sub8`].
 ///
-/// What is written for any precision is used with the one that a program chooses:
+/// A function that is generic over the precision, called with coordinates at 1/16 and at 1/256 pixel:
 ///
 /// ```
 /// use zrow::geometry::{InputError, Sub4, Sub8, SubPixel, SubPoint};

@@ -12,8 +12,8 @@ use crate::visible::Count;
 ///
 /// Numbers of faces are those of the whole frame; the others are of the rows that were drawn since it was prepared.
 ///
-/// How many depths are tested for each pixel of the panel says how much lies behind other things, and how many faces
-/// are left out how much of the models is not seen:
+/// Depths that were tested for each pixel of the panel say how many surfaces lie behind each other there; faces that were left
+/// out say how much of the models is not seen:
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};

@@ -25,7 +25,7 @@ use crate::view::sine::{cosine, sine};
 /// Cost: ten multiplications for each angle about x, y or z, 27 for each composition; 45 more for one of more than twelve angles, which
 /// counts as one angle from then on. Two rotations are equal where their matrices are.
 ///
-/// What turns evenly is built from the number of the frame:
+/// A model that turns evenly has a rotation for each frame, built from the number of the frame and not from the rotation before:
 ///
 /// ```
 /// use fixed::types::{I2F30, U0F16};

@@ -123,7 +123,8 @@ impl HidingFace {
         })
     }
 
-    /// How many units of depth a point of the face's triangle is behind its plane, rounded up; 0 in front of it.
+    /// How far a point whose column and row lie in the face is behind the plane of the face, in units of stored depth, rounded
+    /// up; 0 for a point in front of it.
     pub(super) fn units_behind(&self, point: LinePoint) -> i32 {
         let whole = self.behind(point).checked_div(i128::from(self.area));
         // Depths have 24 bits.

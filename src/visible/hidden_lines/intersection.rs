@@ -85,7 +85,7 @@ where
     })
 }
 
-/// How many corners two faces have in common.
+/// How many corners of one face are also corners of the other one, with the same position and depth on the screen.
 fn common_corners(one: &LineFace, other: &LineFace) -> usize {
     one.corners
         .iter()
@@ -93,8 +93,9 @@ fn common_corners(one: &LineFace, other: &LineFace) -> usize {
         .count()
 }
 
-/// How far a line in a face is at most behind those faces that have a side of it and hide nothing of the line but what is a unit
-/// beside the face.
+/// By how many units of depth a line that lies in a face has to be raised so that none of the face's neighbours, which have a side
+/// of it, hides the line where its rounded ends put it over a neighbour. Neighbours that hide more of the line than what is within
+/// a unit of the face do not count.
 fn behind_neighbours<S, D, T>(table: &T, face: &LineFace, line: [LinePoint; 2]) -> i32
 where
     S: ScreenPrecision,

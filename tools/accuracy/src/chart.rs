@@ -1,8 +1,7 @@
 //! Error against cost, each on a logarithmic axis, as SVG and PNG.
 
-use anyhow::{anyhow, ensure};
+use anyhow::{Context, anyhow, ensure};
 use epaint_default_fonts::UBUNTU_LIGHT;
-use image::RgbImage;
 use plotters::{
     coord::Shift,
     prelude::*,
@@ -12,7 +11,9 @@ use plotters::{
     },
 };
 
-use super::{pareto, picture};
+use resvg::{tiny_skia, usvg};
+
+use super::pareto;
 
 const SIZE: (u32, u32) = (720, 460);
 const FONT: &str = "sans-serif";
@@ -63,11 +64,21 @@ impl Chart {
 
     /// As a PNG file.
     pub fn png(&self) -> anyhow::Result<Vec<u8>> {
+        let mut options = usvg::Options::default();
+        let fonts = options.fontdb_mut();
+        fonts.load_font_data(UBUNTU_LIGHT.to_vec());
+        let face = fonts.faces().next().context("the font of the plots has no face")?;
+        let (family, _) = face
+            .families
+            .first()
+            .context("the font of the plots has no name")?
+            .clone();
+        fonts.set_sans_serif_family(family);
+        let tree = usvg::Tree::from_str(&self.svg()?, &options)?;
         let (width, height) = SIZE;
-        let mut pixels = vec![255; width as usize * height as usize * 3];
-        self.draw(BitMapBackend::with_buffer(&mut pixels, SIZE).into_drawing_area())?;
-        let image = RgbImage::from_raw(width, height, pixels).ok_or_else(|| anyhow!("a plot of another size"))?;
-        picture::png(&image)
+        let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or_else(|| anyhow!("a plot without pixels"))?;
+        resvg::render(&tree, tiny_skia::Transform::identity(), &mut pixels.as_mut());
+        Ok(pixels.encode_png()?)
     }
 
     fn draw<B: DrawingBackend>(&self, area: DrawingArea<B, Shift>) -> anyhow::Result<()> {

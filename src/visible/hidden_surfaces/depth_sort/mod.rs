@@ -94,7 +94,7 @@ use waiting::{Condition, Waiting};
 /// conditions on parts of faces that wait, two for each face that is split once. With fewer of them, or none, the
 /// picture is the same; it takes longer where faces penetrate or overlap in a cycle.
 ///
-/// It also draws looks with holes and translucent faces, which are mixed with what was painted behind them.
+/// Looks with holes and with translucent faces are drawn as well: what is seen through a face was painted before it.
 ///
 /// RAM: 2 bytes a face, 6 bytes a condition, 40 bytes of counters.
 ///
