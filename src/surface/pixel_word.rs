@@ -428,7 +428,7 @@ impl Order for BigEndian {
     }
 }
 
-/// A colour that a band can hold: all of embedded-graphics' own.
+/// A colour that a band can hold: all of embedded-graphics' own, and what a program implements this trait for.
 ///
 /// Colours of less than 8 bits take a byte a pixel, so that drawing needs no masks; the sink packs them.
 ///
@@ -460,6 +460,40 @@ impl Order for BigEndian {
 /// assert_eq!(lcd.get_pixel(Point::new(4, 4)), Some(Rgb565::CSS_GOLD));
 /// assert_eq!(oled.get_pixel(Point::new(4, 4)), Some(BinaryColor::On));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+///
+/// The inks of an electronic paper are a colour of a program's own, with a byte a pixel. It may as well hold the colour type of a
+/// driver:
+///
+/// ```
+/// use embedded_graphics::{pixelcolor::raw::RawU8, prelude::*, primitives::*};
+/// use zrow::{band::{Band, BandColor}, draw::{DrawOn, PrimitiveStyle}};
+///
+/// #[derive(Debug, Copy, Clone, PartialEq)]
+/// enum Ink { White, Black, Red }
+///
+/// impl PixelColor for Ink {
+///     type Raw = RawU8;
+/// }
+///
+/// impl BandColor for Ink {
+///     type Word = u8;
+///
+///     fn to_word(self) -> u8 {
+///         self as u8
+///     }
+///
+///     fn from_word(word: u8) -> Self {
+///         match word { 1 => Self::Black, 2 => Self::Red, _ => Self::White }
+///     }
+/// }
+///
+/// let (area, mut words) = (Rectangle::new(Point::zero(), Size::new(4, 1)), [Ink::White.to_word(); 4]);
+/// let mut band = Band::<Ink>::new(area, &mut words)?;
+/// let bar = Rectangle::new(Point::zero(), Size::new(3, 1)).into_styled(PrimitiveStyle::with_fill(Ink::Red));
+/// let Ok(()) = bar.draw_on(&mut band);
+/// assert!(band.colors().eq([Ink::Red, Ink::Red, Ink::Red, Ink::White]));
+/// # Ok::<(), zrow::geometry::TooSmall>(())
 /// ```
 pub trait BandColor: PixelColor + 'static {
     /// The word of one pixel: `u8`, `u16` or `u32`.
