@@ -73,6 +73,13 @@ pub struct Cell {
     pub is_strong: bool,
 }
 
+impl From<String> for Cell {
+    /// One like all others.
+    fn from(text: String) -> Self {
+        Self { text, is_strong: false }
+    }
+}
+
 /// One method on one group of inputs.
 pub struct Entry {
     pub group: String,

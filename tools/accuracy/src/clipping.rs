@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use embedded_graphics::geometry::Point;
 use zrow::{clip::Segments, geometry::SubPoint, scan::Lines};
-use zrow_methods::{Fraction, Line, SCREEN, clip_window, cut_lines};
+use zrow_methods::{Fraction, Line, SCREEN, UPRIGHT_SCREEN, clip_window, cut_lines};
 
 use super::{
     axis::{Axis, Chapter, Context, Entry},
@@ -208,6 +208,17 @@ fn draw<const BITS: u32, const GROWN: bool>(line: Line) -> anyhow::Result<Drawn>
     let cuts = cuts.map(|(_, cut)| exact.cut_error((cut.x, cut.y), sides, BITS));
     let pixels = ExactLine::in_units((first.x, first.y), (last.x, last.y), BITS).pixels(&SCREEN);
     Ok((pixels, cuts.collect()))
+}
+
+/// The pixels of a line whose ends were cut at the border of the upright screen and rounded to whole pixels, as textbooks have it;
+/// `None` where its numbers do not fit.
+pub fn cut_at_whole_pixels(&(from, to): &Line) -> Option<Vec<(i32, i32)>> {
+    let window = clip_window::<0>(&UPRIGHT_SCREEN, (false, false)).ok()?;
+    let (from, to) = ends::<0>((from, to));
+    let Some((first, last)) = Segments::liang_barsky(from, to, &window) else {
+        return Some(Vec::new());
+    };
+    Some(ExactLine::in_units((first.x, first.y), (last.x, last.y), 0).pixels(&UPRIGHT_SCREEN))
 }
 
 fn draw_with_error_term((from, to): Line) -> anyhow::Result<Drawn> {

@@ -56,14 +56,13 @@ impl Axis for Visibility {
 }
 
 fn summary(table: RecordedTable) -> Summary {
-    let cell = |text| Cell { text, is_strong: false };
     Summary {
         title: table.title,
         columns: table.columns,
         rows: table
             .rows
             .into_iter()
-            .map(|row| row.into_iter().map(cell).collect())
+            .map(|row| row.into_iter().map(Cell::from).collect())
             .collect(),
     }
 }

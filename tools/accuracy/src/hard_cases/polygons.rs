@@ -1,17 +1,15 @@
-//! Polygons on which rasterizers fail: the exact answer, what zrow draws, and what others are known to draw.
+//! Polygons that are degenerate, cross themselves or reach far outside: their exact area, zrow's, and the errors of others.
 
 use anyhow::Context as _;
 use zrow_methods::{Contour, Input, METHODS, Rule, SIZE, Shape, UNITS};
 
-use super::{
-    axis::{Axis, Cell, Chapter, Context, Summary},
+use super::peers::PEERS;
+use crate::{
+    axis::{Cell, Summary},
     digits::digits,
     errors::FULL,
     reference,
 };
-
-/// Polygons that are degenerate, cross themselves, or reach far outside.
-pub struct HardCases;
 
 /// A polygon, and what others do with it.
 struct HardCase {
@@ -174,55 +172,34 @@ impl HardCase {
     }
 }
 
-impl Axis for HardCases {
-    fn name(&self) -> &'static str {
-        "hard_cases"
-    }
-
-    /// None: what they cost is no question here.
-    fn counts(&self) -> Vec<String> {
-        Vec::new()
-    }
-
-    fn run(&self, _: &Context<'_>) -> anyhow::Result<Chapter> {
-        let cell = |text: String| Cell { text, is_strong: false };
-        let rows = cases().into_iter().map(|case| {
-            let [exact, drawn, crossings] = case.drawn("inside_area")?;
-            let [_, _, signed] = case.drawn("signed_area")?;
-            let figures = [exact, drawn, crossings, signed].map(digits);
-            let cells = [case.title.to_owned()].into_iter().chain(figures);
-            Ok(cells.chain([case.others.to_owned()]).map(cell).collect())
-        });
-        let columns = [
-            "polygon",
-            "exact area in pixels",
-            "area drawn by zrow",
-            "largest error of 255",
-            "the same without crossings",
-            "others, as their trackers and runs have it",
-        ];
-        Ok(Chapter {
-            name: self.name(),
-            title: "Hard cases",
-            about: vec![
-                "Polygons that are degenerate, cross themselves or reach far outside, antialiased by zrow in this run, beside \
-                 their exact areas. zrow draws them by the exact area of the inside; the area \"without crossings\" is for contours \
-                 that do not cross themselves. What others draw was read from their trackers, or seen when they were run by hand; \
-                 this run does not draw by them."
-                    .to_owned(),
-            ],
-            operation: "one polygon",
-            memory: None,
-            figures: Vec::new(),
-            diagrams: Vec::new(),
-            summaries: vec![Summary {
-                title: "Degenerate, crossing and far polygons".to_owned(),
-                columns: columns.map(str::to_owned).to_vec(),
-                rows: rows.collect::<anyhow::Result<_>>()?,
-            }],
-            entries: Vec::new(),
-        })
-    }
+/// A row for each polygon.
+pub fn summary() -> anyhow::Result<Summary> {
+    let rows = cases().into_iter().map(|case| {
+        let [exact, drawn, crossings] = case.drawn("inside_area")?;
+        let [_, _, signed] = case.drawn("signed_area")?;
+        let figures = [exact, drawn, crossings, signed].map(digits);
+        let shape = case.shape()?;
+        let coverage = reference::exact(&shape, SIZE);
+        let peers = PEERS.iter().map(|peer| peer.largest_error(&shape, &coverage));
+        let cells = [case.title.to_owned()].into_iter().chain(figures).chain(peers);
+        Ok(cells.chain([case.others.to_owned()]).map(Cell::from).collect())
+    });
+    let columns = [
+        "polygon",
+        "exact area in pixels",
+        "area drawn by zrow",
+        "largest error of 255",
+        "the same without crossings",
+    ];
+    let peers = PEERS.iter().map(|peer| format!("the same by {}", peer.name));
+    let columns = columns.map(str::to_owned).into_iter().chain(peers);
+    Ok(Summary {
+        title: "Degenerate, crossing and far polygons".to_owned(),
+        columns: columns
+            .chain(["others, as their trackers and runs have it".to_owned()])
+            .collect(),
+        rows: rows.collect::<anyhow::Result<_>>()?,
+    })
 }
 
 #[cfg(test)]
