@@ -3,7 +3,7 @@
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    scene::{FaceSet, Model, Rotation, Whole},
+    scene::{Counted, FaceSet, Model, Rotation, Whole},
     shade::{
         DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Shading,
         Texels, Textured, TexturedSkin,
@@ -232,4 +232,14 @@ pub type TexturedTeapot = Turning<
     320,
     91,
     Whole<<TexturedPot as Subject>::Shading>,
+>;
+/// [`TexturedTeapot`] with counters of what each frame takes.
+pub type CountedTeapot = Turning<
+    TexturedPot,
+    { TEAPOT.vertices().len() },
+    { TEAPOT.faces().len() },
+    240,
+    320,
+    91,
+    Counted<Whole<<TexturedPot as Subject>::Shading>>,
 >;

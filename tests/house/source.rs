@@ -52,7 +52,15 @@ pub fn other_source_folders() -> Vec<String> {
         .map(|entry| format!("tools/{}/src", entry.file_name().to_str().unwrap()))
         .collect();
     folders.sort();
-    folders.extend(["boards/simulator/src", "methods/src", "scenes/src"].map(String::from));
+    folders.extend(
+        [
+            "boards/async-st7789/src",
+            "boards/simulator/src",
+            "methods/src",
+            "scenes/src",
+        ]
+        .map(String::from),
+    );
     folders
 }
 

@@ -1,0 +1,10 @@
+//! What the boards with embassy share: a panel whose transfers are futures, and the scenes that they show. A board adds its clocks,
+//! its pins and its bus.
+#![no_std]
+#![forbid(unsafe_code)]
+
+mod panel;
+mod show;
+
+pub use panel::{Error, HEIGHT, Panel, Pins, StartError, WIDTH};
+pub use show::{Failure, Frame, show_scenes};

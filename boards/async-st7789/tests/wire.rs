@@ -1,0 +1,322 @@
+//! What the boards with embassy send, decoded as an ST7789 does, against the pictures of the scenes, pixel by pixel; and which of it
+//! is on its way while the next band is drawn.
+
+#[path = "../../../tools/emulate/src/pico/st7789.rs"]
+mod st7789;
+
+use std::{
+    cell::RefCell,
+    convert::Infallible,
+    future::{Future, poll_fn},
+    pin::pin,
+    rc::Rc,
+    task::{Context, Poll, Waker},
+};
+
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use embedded_hal::{delay::DelayNs, digital::OutputPin, spi};
+use st7789::St7789;
+use zrow::{
+    band::{Band, PictureLoop},
+    geometry::Window,
+};
+use zrow_async_st7789::{Error, Failure, Frame, HEIGHT, Panel, Pins, WIDTH, show_scenes};
+use zrow_scenes::{
+    Prepared, Scene,
+    instruments::{Changing, DAMAGE_AREAS, Instruments},
+    teapots::TexturedTeapot,
+};
+
+const WHOLE: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
+
+/// The display, and what else is seen of the wires.
+struct Wires {
+    panel: St7789,
+    is_data: bool,
+    is_selected: bool,
+    /// Bytes of commands, without operands.
+    commands: usize,
+    /// Pixels that futures have sent, two bytes each.
+    pixels: usize,
+    /// Futures that have begun and that have ended.
+    begun: usize,
+    ended: usize,
+    /// Bytes until the bus fails.
+    bytes_left: usize,
+}
+
+impl Wires {
+    fn new() -> Rc<RefCell<Self>> {
+        Rc::new(RefCell::new(Self {
+            panel: St7789::new(),
+            is_data: true,
+            is_selected: false,
+            commands: 0,
+            pixels: 0,
+            begun: 0,
+            ended: 0,
+            bytes_left: usize::MAX,
+        }))
+    }
+
+    fn take(&mut self, bytes: &[u8]) -> Result<(), spi::ErrorKind> {
+        assert!(self.is_selected, "nobody listens to {bytes:?}");
+        self.bytes_left = self.bytes_left.checked_sub(bytes.len()).ok_or(spi::ErrorKind::Other)?;
+        match self.is_data {
+            true => self.panel.take_data(bytes).unwrap(),
+            false => {
+                self.commands += bytes.len();
+                self.panel.take_commands(bytes).unwrap();
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A bus with DMA: what a future sends, it takes at its first poll, and it is done at its third one.
+struct Bus(Rc<RefCell<Wires>>);
+
+impl spi::ErrorType for Bus {
+    type Error = spi::ErrorKind;
+}
+
+impl spi::SpiBus for Bus {
+    fn write(&mut self, words: &[u8]) -> Result<(), spi::ErrorKind> {
+        self.0.borrow_mut().take(words)
+    }
+
+    fn read(&mut self, _: &mut [u8]) -> Result<(), spi::ErrorKind> {
+        unreachable!("the panel is never read")
+    }
+
+    fn transfer(&mut self, _: &mut [u8], _: &[u8]) -> Result<(), spi::ErrorKind> {
+        unreachable!("the panel is never read")
+    }
+
+    fn transfer_in_place(&mut self, _: &mut [u8]) -> Result<(), spi::ErrorKind> {
+        unreachable!("the panel is never read")
+    }
+
+    fn flush(&mut self) -> Result<(), spi::ErrorKind> {
+        Ok(())
+    }
+}
+
+impl embedded_hal_async::spi::SpiBus for Bus {
+    async fn write(&mut self, words: &[u8]) -> Result<(), spi::ErrorKind> {
+        {
+            let mut wires = self.0.borrow_mut();
+            assert!(wires.is_data, "pixels as commands");
+            wires.begun += 1;
+            wires.pixels += words.len() / 2;
+            wires.take(words)?;
+        }
+        let mut polls = [Poll::Pending, Poll::Pending, Poll::Ready(())].into_iter();
+        poll_fn(|_| polls.next().unwrap()).await;
+        self.0.borrow_mut().ended += 1;
+        Ok(())
+    }
+
+    async fn read(&mut self, _: &mut [u8]) -> Result<(), spi::ErrorKind> {
+        unreachable!("the panel is never read")
+    }
+
+    async fn transfer(&mut self, _: &mut [u8], _: &[u8]) -> Result<(), spi::ErrorKind> {
+        unreachable!("the panel is never read")
+    }
+
+    async fn transfer_in_place(&mut self, _: &mut [u8]) -> Result<(), spi::ErrorKind> {
+        unreachable!("the panel is never read")
+    }
+
+    async fn flush(&mut self) -> Result<(), spi::ErrorKind> {
+        Ok(())
+    }
+}
+
+/// A pin that the wires hear of, or not.
+struct Pin(Rc<RefCell<Wires>>, fn(&mut Wires, bool));
+
+impl embedded_hal::digital::ErrorType for Pin {
+    type Error = Infallible;
+}
+
+impl OutputPin for Pin {
+    fn set_low(&mut self) -> Result<(), Infallible> {
+        self.1(&mut self.0.borrow_mut(), false);
+        Ok(())
+    }
+
+    fn set_high(&mut self) -> Result<(), Infallible> {
+        self.1(&mut self.0.borrow_mut(), true);
+        Ok(())
+    }
+}
+
+struct NoDelay;
+
+impl DelayNs for NoDelay {
+    fn delay_ns(&mut self, _: u32) {}
+}
+
+fn start(wires: &Rc<RefCell<Wires>>) -> Panel<Bus, Pin> {
+    let pin = |set| Pin(Rc::clone(wires), set);
+    let pins = Pins {
+        data_not_command: pin(|wires, is_high| wires.is_data = is_high),
+        select: pin(|wires, is_high| wires.is_selected = !is_high),
+        reset: pin(|_, _| {}),
+        backlight: pin(|_, _| {}),
+    };
+    Panel::start(Bus(Rc::clone(wires)), pins, &mut NoDelay).unwrap()
+}
+
+/// Polls a future until it is ready.
+fn wait<F: Future>(future: F) -> F::Output {
+    let mut future = pin!(future);
+    loop {
+        if let Poll::Ready(output) = future.as_mut().poll(&mut Context::from_waker(Waker::noop())) {
+            return output;
+        }
+    }
+}
+
+/// The words of a picture that is drawn on the desktop, row by row.
+fn drawn(background: Rgb565, mut draw: impl FnMut(&mut Band<'_, Rgb565>)) -> Vec<u16> {
+    let (mut row, mut words) = (vec![0; WIDTH as usize], Vec::new());
+    let mut sink = |band: Band<'_, Rgb565>| -> Result<(), Infallible> {
+        words.extend_from_slice(band.words());
+        Ok(())
+    };
+    let result = PictureLoop::new(WHOLE, background).draw(&mut row, &mut sink, |band| draw(band));
+    result.unwrap();
+    words
+}
+
+/// The instruments in a frame, changed to it from the one before.
+fn instruments(picture: &mut zrow::draw::Picture<'_, 'static, Rgb565>) -> Vec<u16> {
+    drawn(Instruments::BACKGROUND, |band| picture.draw(band))
+}
+
+/// Runs the scenes until so many frames are reported, in bands of so many words; each frame is handed over with the wires.
+fn show(frames: usize, words: usize, mut check: impl FnMut(Frame, &mut Wires)) {
+    let wires = Wires::new();
+    let mut panel = start(&wires);
+    let (mut one, mut other) = (vec![0; words], vec![0; words]);
+    let mut count = 0;
+    let report = |frame| {
+        check(frame, &mut wires.borrow_mut());
+        count += 1;
+        if count == frames {
+            // The bus fails, which is how these scenes end.
+            wires.borrow_mut().bytes_left = 0;
+        }
+    };
+    let shown = wait(show_scenes(&mut panel, [&mut one, &mut other], report));
+    assert!(matches!(shown, Err(Failure::Picture(_))));
+    assert_eq!(count, frames);
+}
+
+/// One row a band and sixteen, as the boards have them, and a number that no height can be divided by.
+const WORDS: [usize; 3] = [240, 7 * 240 + 11, 16 * 240];
+
+#[test]
+fn the_panel_shows_the_scenes() {
+    for words in WORDS {
+        let (mut panel, mut areas) = (Instruments::new(), [Window::EMPTY; DAMAGE_AREAS]);
+        let mut picture = panel.picture_with_damage(&mut areas);
+        let changing = Changing::add(&mut picture, 0).unwrap();
+        let mut teapot = TexturedTeapot::default();
+        // All instruments, three teapots.
+        show(64 + 3, words, |frame, wires| {
+            let expected = match frame {
+                Frame::Instruments { frame, areas, pixels } => {
+                    changing.show(&mut picture, frame).unwrap();
+                    assert_eq!(wires.pixels, pixels as usize, "frame {frame}");
+                    // The first frame is sent whole.
+                    let is_small = areas as usize <= DAMAGE_AREAS && pixels < 2_400;
+                    assert!(is_small || frame == 0 && areas == 1, "frame {frame}: {pixels}");
+                    instruments(&mut picture)
+                }
+                Frame::Teapot { frame, counters } => {
+                    assert_eq!((counters.rows, wires.pixels), (HEIGHT, (WIDTH * HEIGHT) as usize));
+                    let mut prepared = teapot.prepare(frame).unwrap();
+                    drawn(TexturedTeapot::BACKGROUND, |band| Prepared::draw(&mut prepared, band))
+                }
+            };
+            wires.pixels = 0;
+            let shown = wires.panel.pixels(WHOLE).unwrap();
+            let differing = shown.iter().zip(&expected).filter(|(one, other)| one != other).count();
+            assert_eq!(differing, 0, "{frame:?} in bands of {words} words");
+        });
+    }
+}
+
+/// While a band is drawn, the one before it is on its way: its pixels have been taken, not its commands alone. These are sent once a
+/// picture.
+#[test]
+fn a_band_is_sent_while_the_next_is_drawn() {
+    let wires = Wires::new();
+    let mut panel = start(&wires);
+    let (mut one, mut other) = ([0; 240], [0; 240]);
+    let (mut drawing, commands) = (0, wires.borrow().commands);
+    let scene = |_: &mut Band<'_, Rgb565, zrow::band::BigEndian>| {
+        let wires = wires.borrow();
+        assert_eq!((wires.begun, wires.pixels), (drawing, 240 * drawing));
+        assert_eq!(wires.ended, drawing.saturating_sub(1), "band {drawing}");
+        drawing += 1;
+    };
+    let send = async |area: Rectangle, bytes: &[u8]| panel.send(area, bytes).await;
+    let picture = PictureLoop::new(WHOLE, Rgb565::GREEN).in_order();
+    wait(picture.draw_async([&mut one, &mut other], send, scene)).unwrap();
+    assert_eq!((drawing, wires.borrow().ended), (320, 320));
+    assert_eq!(wires.borrow().commands - commands, 3);
+}
+
+/// The pixels of a band whose future is dropped are lost; those of the next one are where they belong.
+#[test]
+fn a_dropped_transfer_does_not_move_the_next_band() {
+    let wires = Wires::new();
+    let mut panel = start(&wires);
+    let rows = |top, bytes| (Rectangle::new(Point::new(0, top), Size::new(240, 1)), [bytes; 480]);
+    let (area, bytes) = rows(10, 1);
+    wait(panel.send(area, &bytes)).unwrap();
+    let (area, bytes) = rows(11, 2);
+    {
+        let mut dropped = pin!(panel.send(area, &bytes));
+        let pending = dropped.as_mut().poll(&mut Context::from_waker(Waker::noop()));
+        assert!(pending.is_pending());
+    }
+    // The same rows again, as where a picture is drawn anew.
+    let (area, bytes) = rows(11, 4);
+    wait(panel.send(area, &bytes)).unwrap();
+    let (area, bytes) = rows(12, 3);
+    wait(panel.send(area, &bytes)).unwrap();
+    let shown = wires.borrow().panel.pixels(WHOLE).unwrap();
+    let of_row = |row: usize| (shown[row * 240], shown[row * 240 + 239]);
+    assert_eq!(
+        [9, 10, 11, 12, 13].map(of_row).map(|(left, _)| left),
+        [0, 0x0101, 0x0404, 0x0303, 0]
+    );
+    assert!((9..14).all(|row| of_row(row).0 == of_row(row).1));
+}
+
+#[test]
+fn what_is_not_within_the_panel_is_an_error() {
+    let wires = Wires::new();
+    let mut panel = start(&wires);
+    for (left, top, width, height) in [
+        (-1, 0, 2, 1),
+        (0, -1, 2, 1),
+        (239, 0, 2, 1),
+        (0, 319, 2, 2),
+        (0, 320, 2, 1),
+        (0, 0, 0, 5),
+    ] {
+        let area = Rectangle::new(Point::new(left, top), Size::new(width, height));
+        let bytes = vec![0; (width * height * 2) as usize];
+        assert!(matches!(wait(panel.send(area, &bytes)), Err(Error::Area)), "{area:?}");
+    }
+    let area = Rectangle::new(Point::zero(), Size::new(2, 2));
+    assert!(matches!(wait(panel.send(area, &[0; 7])), Err(Error::Area)));
+    assert_eq!(wires.borrow().begun, 0);
+}
