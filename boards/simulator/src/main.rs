@@ -22,6 +22,8 @@ struct Arguments {
 enum Command {
     /// Reports what each step of accuracy costs in time and memory: a page, tables, plots
     Accuracy(tool::Options),
+    /// Builds the firmware of every board, and prints how much flash and static RAM it takes
+    Boards(tool::Options),
     /// Measures what each effect costs the teapot on the chips, and writes docs/effects.md
     Effects(tool::Options),
     /// Runs firmware of a board in an emulator and compares its panel with the simulator, pixel by pixel
@@ -49,6 +51,7 @@ fn main() -> anyhow::Result<ExitCode> {
             return Ok(ExitCode::SUCCESS);
         }
         Some(Command::Accuracy(options)) => ("accuracy", options),
+        Some(Command::Boards(options)) => ("boards", options),
         Some(Command::Emulate(options)) => ("emulate", options),
         Some(Command::Effects(options)) => {
             first = &["--only", "effect.", "--docs"];

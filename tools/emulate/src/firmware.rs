@@ -20,7 +20,8 @@ pub fn build(name: &str, target: &str) -> Result<PathBuf> {
     let mut build = Command::new(&script)
         .arg(&board)
         .arg(target)
-        .args(["--target-dir", "target"])
+        // The folder in which all boards are built: from the board's own folder, where cargo runs.
+        .args(["--target-dir", "../../target/boards"])
         // Set by `cargo run` for this program; the script may call another compiler, which has libraries of its own.
         .env_remove("LD_LIBRARY_PATH")
         .spawn()
@@ -41,5 +42,6 @@ pub fn build(name: &str, target: &str) -> Result<PathBuf> {
         }
     };
     ensure!(status.success(), "the firmware of {name} was not built ({status})");
-    Ok(board.join("target").join(target).join(format!("release/zrow-{name}")))
+    let output = boards.join("../target/boards");
+    Ok(output.join(target).join(format!("release/zrow-{name}")))
 }
