@@ -33,7 +33,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Draws what the band shows of the picture.
     pub fn draw(&mut self, band: &mut Band<'_, C, O>) {
         let window = band.window();
-        let goes_on = self.is_next(&window) && !window.is_empty() && offset_from(window.top, window.bottom) == 1;
+        let is_row = window.left < window.right && offset_from(window.top, window.bottom) == 1;
+        let goes_on = is_row && self.is_next(&window);
         if !goes_on || window.top >= i32::from(self.next_event) && !self.open_row(&window) {
             return self.draw_any(band);
         }

@@ -378,10 +378,10 @@ impl Extent {
         i32::from(self.end) - i32::from(self.first)
     }
 
-    /// How far a row is below the middle of the box, doubled.
+    /// How far the upper edge of a row is below the middle of the box, doubled.
     #[inline]
-    pub(super) fn below_middle(self, row: i32) -> i32 {
-        2 * row + 1 - i32::from(self.first) - i32::from(self.end)
+    pub(super) fn edge_below_middle(self, row: i32) -> i32 {
+        2 * row - i32::from(self.first) - i32::from(self.end)
     }
 }
 
@@ -481,8 +481,10 @@ pub(super) fn span_of<'b, C: BandColor, O: Order>(
     band: &'b mut Band<'_, C, O>,
     (start, end): (i32, i32),
 ) -> Option<&'b mut [C::Word]> {
-    let left = band.window().left;
-    band.words_mut().get_mut((start - left) as usize..(end - left) as usize)
+    // Less than a range from one column to the other takes: only one of them is counted from the band's first one.
+    let width = (end - start) as usize;
+    let start = (start - band.window().left) as usize;
+    band.words_mut().get_mut(start..)?.get_mut(..width)
 }
 
 /// Fills columns of which some are outside the row, or none are left.

@@ -9,6 +9,7 @@ mod aside_stroke;
 mod circle_outline;
 mod contour_stroke;
 mod contours;
+mod curve_row;
 mod filled_chains;
 mod image;
 mod line_words;

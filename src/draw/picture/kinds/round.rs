@@ -1,14 +1,6 @@
 //! Circles and ellipses in a picture: the columns of a row are computed from those of the row above, in both halves.
 //!
-//! With doubled distances x and y from the middle, a pixel is inside while `b x^2 + a y^2 < limit`. The error term of a row
-//! is the least number by which the sum would have to be smaller for one more column on each side to be inside. In the next
-//! row nearer to the middle, the sum is smaller by the row's increment: that pays for new columns, each of which raises the
-//! sum by its own. In the next row further away the sum is larger by the row's increment, and columns are given up:
-//!
-//! ```text
-//!   upper half:  error term -= row's;  while some of that is left over: one column more, error term = the column's
-//!   lower half:  error term += row's;  while it exceeds the last column's: one column less
-//! ```
+//! How a row follows from the one above is told at [`CurveRow`].
 //!
 //! Guarantees: the pixels of the shapes' own walk, in additions; no number exceeds 2^32.
 
@@ -17,7 +9,7 @@ use embedded_graphics::{
     primitives::{Circle, Ellipse},
 };
 
-use core::{hint::black_box, marker::PhantomData, num::Wrapping};
+use core::marker::PhantomData;
 
 use crate::{
     band::Band,
@@ -29,6 +21,7 @@ use crate::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_span, kind_of},
             kinds::{
                 circle_outline::{self, CircleOutline},
+                curve_row::CurveRow,
                 rectangle::Border,
                 replayed::{Words, replayed},
                 sides::fill_sides,
@@ -40,93 +33,6 @@ use crate::{
     scan::round::{ForwardDifference, circle, ellipse},
     surface::{BandColor, Order, PixelWord, Target},
 };
-
-/// A row of a curve: the columns that are inside, and the error term for the columns beside them.
-#[derive(Clone, Copy)]
-struct CurveRow {
-    /// First column.
-    start: i32,
-    /// The column after the last one.
-    end: i32,
-    /// By how much the sum of squares would have to be smaller for one more column on each side to be inside.
-    error_term: u32,
-}
-
-impl CurveRow {
-    /// The row as two words: the first one has both columns, 16 bits each.
-    #[inline]
-    const fn words(self) -> [u32; 2] {
-        [(self.start as u32 & 0xffff) | (self.end as u32) << 16, self.error_term]
-    }
-
-    #[inline]
-    const fn of([columns, error_term]: [u32; 2]) -> Self {
-        Self {
-            start: columns as i16 as i32,
-            end: columns as i32 >> 16,
-            error_term,
-        }
-    }
-
-    /// First column, and the one after the last.
-    #[inline]
-    const fn columns(self) -> (i32, i32) {
-        (self.start, self.end)
-    }
-
-    /// The row below this one, which is half of `below_middle` rows below the middle.
-    #[inline(always)]
-    fn next(self, below_middle: i32, units: (u32, u32)) -> Self {
-        if below_middle < 0 {
-            self.next_wider((-1 - below_middle) as u32, units)
-        } else {
-            self.next_narrower((below_middle + 1) as u32, units)
-        }
-    }
-
-    /// The row below this one in the upper half. `above_middle` is twice the distance of this row from the middle, less one.
-    #[inline]
-    fn next_wider(self, above_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
-        let mut column_increment = (self.end - self.start) as u32 * column_unit;
-        let mut row_increment = above_middle * row_unit;
-        let (mut error_term, mut added) = (self.error_term, 0);
-        while row_increment >= error_term {
-            row_increment -= error_term;
-            added += 1;
-            column_increment += 2 * column_unit;
-            error_term = column_increment;
-            // Keeps the compiler from unrolling this loop, which mostly runs once.
-            black_box(());
-        }
-        Self {
-            start: self.start - added,
-            end: self.end + added,
-            error_term: error_term - row_increment,
-        }
-    }
-
-    /// The row below this one in the lower half. `below_middle` is twice the distance of this row from the middle, plus one.
-    #[inline]
-    fn next_narrower(self, below_middle: u32, (column_unit, row_unit): (u32, u32)) -> Self {
-        // After the last row no column may be left to give up. The increment then wraps around below 0 to a number larger than the
-        // error term, which ends the loop.
-        let mut column_increment = Wrapping((self.end - self.start) as u32 * column_unit);
-        let column_step = Wrapping(2 * column_unit);
-        let mut error_term = self.error_term + below_middle * row_unit;
-        let mut removed = 0;
-        while error_term > column_increment.0 {
-            error_term -= column_increment.0;
-            column_increment -= column_step;
-            removed += 1;
-            black_box(());
-        }
-        Self {
-            start: self.start + removed,
-            end: self.end - removed,
-            error_term,
-        }
-    }
-}
 
 /// A shape whose rows this file steps through: a circle or an ellipse.
 trait Round: 'static {
@@ -199,12 +105,12 @@ impl Round for Ellipse {
     }
 }
 
-/// A curve filled with one colour. The item's cursor is its next [`CurveRow`].
+/// A curve filled with one colour. The item's cursor is the [`CurveRow`] above the row that comes next.
 struct Filled<S>(PhantomData<S>);
 
-/// A stroke between an outer and an inner curve, with or without a fill. The item's cursor is the next [`CurveRow`] of the outer
-/// curve. Its four words are the number of the inner curve's last row, the next row of the inner curve (two words), and the
-/// fill's colour.
+/// A stroke between an outer and an inner curve, with or without a fill. The item's cursor is the [`CurveRow`] of the outer curve
+/// above the row that comes next. Its four words are the number of the inner curve's last row, the row of the inner curve (two
+/// words), and the fill's colour.
 struct Stroked<S, const HAS_FILL: bool>(PhantomData<S>);
 
 /// The item of a circle or an ellipse.
@@ -258,20 +164,23 @@ macro_rules! prepared_round {
 }
 prepared_round!(Circle, Ellipse);
 
-/// A row of the curve whose box lies inside of an extent by `border` pixels on each side. For a row above or below that box, it
-/// is the curve's first or last row.
+/// What leads to a row of the curve whose box lies inside of an extent by `border` pixels on each side. For a row above or below that
+/// box, it leads to the curve's first or last row.
 fn enter<S: Round>(extent: Extent, border: i32, row: i32) -> CurveRow {
     let (width, height) = (extent.width() - 2 * border, extent.height() - 2 * border);
-    let row = (row - i32::from(extent.first) - border).max(0).min(height - 1);
+    let first = i32::from(extent.first) + border;
+    let row = row.min(first + height - 1).max(first);
     // The lower half mirrors the upper one.
-    let row = row.min(height - 1 - row);
-    let (inset, error_term) = S::enter(Size::new(width as u32, height as u32), row as u32);
+    let down = (row - first).min(first + height - 1 - row);
+    let (inset, error_term) = S::enter(Size::new(width as u32, height as u32), down as u32);
     let (left, right) = extent.columns();
-    CurveRow {
+    let entered = CurveRow {
         start: left + border + inset as i32,
         end: right - border - inset as i32,
-        error_term,
-    }
+        slack: error_term - 1,
+    };
+    let (_, row_unit) = S::units(width, height);
+    entered.above(extent.edge_below_middle(row), row_unit)
 }
 
 impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Filled<S> {
@@ -283,10 +192,10 @@ impl<S: Round, C: BandColor, O: Order> ItemKind<C, O> for Filled<S> {
     #[inline(always)]
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, _: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let extent = slot.extent;
-        let row = CurveRow::of(slot.cursor);
         let units = S::units(extent.width(), extent.height());
-        let below_middle = extent.below_middle(band.window().top);
-        slot.cursor = row.next(below_middle, units).words();
+        let edge = extent.edge_below_middle(band.window().top);
+        let row = CurveRow::of(slot.cursor).next(edge, units);
+        slot.cursor = row.words();
         // Filled last: while pixels are written, no other number has to be kept in a register.
         fill_span(band, row.columns(), slot.word);
     }
@@ -296,31 +205,30 @@ impl<S: Round, C: BandColor, O: Order, const HAS_FILL: bool> ItemKind<C, O> for 
     #[inline]
     fn enter(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
         slot.cursor = enter::<S>(slot.extent, 0, row).words();
-        if let Some([last_inner, columns, error_term, _]) = pool.array::<4>(slot.at) {
+        if let Some([last_inner, columns, slack, _]) = pool.array::<4>(slot.at) {
             let border = (slot.extent.height() - 1 - *last_inner as i32) / 2;
-            [*columns, *error_term] = enter::<S>(slot.extent, border, row).words();
+            [*columns, *slack] = enter::<S>(slot.extent, border, row).words();
         }
     }
 
     #[inline(always)]
     fn draw_row(slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        let Some([last_inner, columns, error_term, fill]) = pool.array::<4>(slot.at) else {
+        let Some([last_inner, columns, slack, fill]) = pool.array::<4>(slot.at) else {
             return;
         };
         let extent = slot.extent;
-        let below_middle = extent.below_middle(band.window().top);
+        let edge = extent.edge_below_middle(band.window().top);
         let (width, height) = (extent.width(), extent.height());
-        let outer = CurveRow::of(slot.cursor);
-        slot.cursor = outer.next(below_middle, S::units(width, height)).words();
+        let outer = CurveRow::of(slot.cursor).next(edge, S::units(width, height));
+        slot.cursor = outer.words();
         // The number of the inner curve's last row is also twice its distance from the middle.
-        if below_middle.unsigned_abs() > *last_inner {
+        if (edge + 1).unsigned_abs() > *last_inner {
             fill_span(band, outer.columns(), slot.word);
             return;
         }
         let border = height - 1 - *last_inner as i32;
-        let inner = CurveRow::of([*columns, *error_term]);
-        let next_inner = inner.next(below_middle, S::units(width - border, height - border));
-        [*columns, *error_term] = next_inner.words();
+        let inner = CurveRow::of([*columns, *slack]).next(edge, S::units(width - border, height - border));
+        [*columns, *slack] = inner.words();
         if HAS_FILL {
             fill_span(band, inner.columns(), C::Word::from_repeated(*fill));
         }
