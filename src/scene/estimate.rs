@@ -22,7 +22,7 @@ use crate::{
     shade::{AttributeInstructions, InstructionSet, Planes, Shading},
     surface::BandColor,
     view::{DepthWidth, Position, ScreenVertex},
-    visible::{FaceTable, NONE, Silhouettes},
+    visible::{FEW, FaceTable, NONE, Silhouettes},
 };
 
 /// How the rows of a frame are drawn.
@@ -57,6 +57,9 @@ struct Work {
     divided_faces: u32,
     divided_spans: u32,
     divided_area: u32,
+    /// Rows that so few faces cross that these are taken to be drawn without depths, and rows of faces in them.
+    untested_rows: u32,
+    untested_spans: u32,
     /// Rows of translucent faces, and their pixels in 1/16.
     blended_spans: u32,
     blended_area: u32,
@@ -87,6 +90,9 @@ mod weights {
     pub(super) const WITH_DEPTHS: [[u32; 2]; 3] = [[660, 222], [100, 47], [150, 97]];
     /// By how much less a pixel takes whose attributes vary, with depths, in a shading without holes.
     pub(super) const WITHOUT_HOLES: [u32; 2] = [11, 4];
+    /// By how much less a pixel takes where few faces cross a row and none overlaps another, in looks whose attributes are
+    /// divided by the depth, in 1/16.
+    pub(super) const UNTESTED: [u32; 2] = [144, 128];
     /// By how much more a face takes with depths of 32 bits, and with positions at 1/256 pixel, in 1/16.
     pub(super) const DEEP: [u32; 2] = [72, 59];
     pub(super) const FINE: [u32; 2] = [76, 76];
@@ -145,7 +151,8 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
         sum.add(rows, set.of(weights::ROW));
         sum.add_16ths(rows, columns * word_bytes * set.of(weights::ROW_BYTE));
         if !is_disjoint {
-            sum.add_16ths(work.busy_rows, columns * depth_bytes * set.of(weights::DEPTH_BYTE));
+            let rows = work.busy_rows - work.untested_rows;
+            sum.add_16ths(rows, columns * depth_bytes * set.of(weights::DEPTH_BYTE));
         }
         sum.add(work.faces, in_size(basic_face + face).saturating_add(of_face));
         let models = self.models.len().min(usize::from(u16::MAX)) as u32;
@@ -154,8 +161,10 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
             set.of(weights::SEARCHED) + models * set.of(weights::MODEL),
         );
         sum.add(work.spans, basic_span + span);
+        let untested_area = u64::from(work.untested_spans) * u64::from(work.area) / u64::from(work.spans.max(1));
         sum.add_16ths(work.area / 16, basic_pixel);
         sum.add_16ths(work.area, shaded);
+        sum.take_16ths((untested_area / 16) as u32, set.of(weights::UNTESTED));
         if may_divide::<L>() {
             let [face, span, pixel] = divided;
             sum.add(work.divided_faces, in_size(face));
@@ -196,6 +205,10 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
             let active = crossing as u32;
             work.busy_rows += u32::from(active > 0);
             add(&mut work.spans, active);
+            if may_be_untested::<L>() && active as usize <= FEW {
+                work.untested_rows += u32::from(active > 0);
+                add(&mut work.untested_spans, active);
+            }
             let mut node = row.first();
             while node != NONE {
                 faces += 1;
@@ -355,6 +368,15 @@ const fn may_divide<L: Look>() -> bool {
     <AttributesOf<L> as CutAttributes>::NEED_DEPTH && !L::IS_ORTHOGRAPHIC
 }
 
+/// Whether rows that few faces cross may be drawn without depths, though faces have planes.
+const fn may_be_untested<L: Look>() -> bool {
+    <AttributesOf<L> as CutAttributes>::NEED_DEPTH
+        && !L::Shading::HAS_HOLES
+        && !L::Shading::BLENDS
+        && !L::Silhouettes::BY_AREA
+        && !L::IS_MULTISAMPLED
+}
+
 /// A number of instructions.
 struct Sum(u64);
 
@@ -367,6 +389,11 @@ impl Sum {
     /// Adds so many instructions for each of a number, one of which is in 1/16.
     fn add_16ths(&mut self, number: u32, weight: u32) {
         self.0 = self.0.saturating_add((u64::from(number) * u64::from(weight)) >> 4);
+    }
+
+    /// Takes so many instructions away for each of a number, one of which is in 1/16.
+    fn take_16ths(&mut self, number: u32, weight: u32) {
+        self.0 = self.0.saturating_sub((u64::from(number) * u64::from(weight)) >> 4);
     }
 }
 

@@ -475,7 +475,9 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// How many rows [`draw`](Self::draw) has drawn without depths since the frame was prepared, because no face overlapped
     /// another in them. The picture is the same with depths, which is what `draw_with` does.
     ///
-    /// From the first row with an overlap on, the frame is drawn with depths, and so are the 16 that are prepared after it.
+    /// From the first row with an overlap on, the frame is drawn with depths, and so are the 16 that are prepared after it. In
+    /// looks whose attributes are divided by the depth, such as textures, each row that at most four faces cross is looked at by
+    /// itself.
     pub const fn rows_without_depth(&self) -> u32 {
         self.active.rows_without_depth()
     }

@@ -4,6 +4,9 @@
 //! picture is the same. The rows of a frame begin so, with the faces in the order of columns, where one comparison a span
 //! tells. Where a span overlaps the one before it, the faces are entered once more with their depth planes.
 //!
+//! Faces whose attributes are divided by the depth have their planes anyway and are in no order. A row that a few of them cross
+//! is drawn without depths where no two of their spans overlap, which is found by comparing each with each.
+//!
 //! With depths the faces lie in the first slots, one after the other, in any order: where a fragment is as near as the
 //! one that is there, which is seldom, the faces drawn so far tell which of them comes first in the order of the models.
 
@@ -19,7 +22,7 @@ use crate::{
         count::Count,
         face_table::{ColoredFace, FaceTable, NONE, corners_from_top, covers, set_up_rest},
         passes::{self, Passes},
-        shaded_span::{is_seen, shaded_row, span_around, word_at},
+        shaded_span::{is_seen, may_be_untested, shaded_row, span_around, word_at},
         sides::Sides,
         silhouette_pixels::{InSlots, mix_silhouettes},
         silhouette_row::RowEdges,
@@ -40,6 +43,10 @@ const ATTEMPTS: u8 = 3;
 
 /// Frames that are drawn with depths after one whose spans overlapped: the next ones are much the same.
 const BACK_OFF_FRAMES: u8 = 16;
+
+/// Faces whose attributes are divided by the depth and that are compared with each other in a row, at most: of more some
+/// overlap, as a rule.
+pub(crate) const FEW: usize = 4;
 
 /// The active list. `F` are its slots, an array of [`ActiveFace`]s or, where they are used, a slice of any length: as many
 /// faces can cross a row. A row with more is drawn in [passes](Passes).
@@ -162,7 +169,12 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
             self.rows_without_depth += 1;
             return;
         }
-        row.clear_depths();
+        if may_be_untested::<_, _, _, F>() && only_faces && self.are_few_and_apart() {
+            row.is_tested = false;
+            self.rows_without_depth += 1;
+        } else {
+            row.clear_depths();
+        }
         if F::DRAWS_IN_PASSES {
             self.draw_pass(faces, row);
         } else {
@@ -179,6 +191,27 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         } else if F::ANTIALIASES {
             self.take_all_down(row.y);
         }
+    }
+
+    /// Whether at most [`FEW`] faces cross the row, and no span of one has a column in common with that of another.
+    #[inline(never)]
+    fn are_few_and_apart(&self) -> bool {
+        let mut faces = self.in_use();
+        if faces.len() > FEW {
+            return false;
+        }
+        while let [face, others @ ..] = faces {
+            let [start, end] = face.span();
+            let overlaps = |other: &ActiveFace<S, H>| {
+                let [other_start, other_end] = other.span();
+                start < other_end && other_start < end
+            };
+            if others.iter().any(overlaps) {
+                return false;
+            }
+            faces = others;
+        }
+        true
     }
 
     /// Whether a row is the one that comes next.

@@ -21,6 +21,8 @@ pub struct DepthRow<'a, C: BandColor, O: Order, D: DepthWidth> {
     pub(super) left: i32,
     pub(super) words: &'a mut [C::Word],
     pub(super) depths: &'a mut [D],
+    /// Whether spans are tested against the depths; not where no span of the row overlaps another and nothing reads the depths.
+    pub(super) is_tested: bool,
     order: core::marker::PhantomData<O>,
 }
 
@@ -44,6 +46,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
             left: window.left,
             words,
             depths,
+            is_tested: true,
             order: core::marker::PhantomData,
         })
     }
@@ -63,6 +66,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
             left,
             words: self.words.get_mut(columns.clone())?,
             depths: self.depths.get_mut(columns)?,
+            is_tested: self.is_tested,
             order: core::marker::PhantomData,
         })
     }

@@ -237,7 +237,7 @@ pub use visibility::Visibility;
 pub use work::Work;
 
 pub(crate) use active_face::ActiveFace;
-pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse};
+pub(crate) use active_faces::{ActiveFaces, ActiveList, DepthUse, FEW};
 pub(crate) use count::Count;
 pub(crate) use depth_row::DepthRow;
 pub(crate) use depth_test::{slope_of_face, twice_the_area};

@@ -3,6 +3,7 @@
 use core::{marker::PhantomData, num::Wrapping};
 
 use crate::{
+    clip::convex::CutAttributes,
     shade::{Planes, Run, Shade, Shading},
     surface::Order,
     view::{DepthWidth, ScreenPrecision},
@@ -78,8 +79,8 @@ where
         if self.row.pixels(start, end).is_none() {
             return self.draw_cut_span(face, [start, end]);
         }
-        self.faces.count().tested((end - start) as usize);
-        let left = self.row.store_nearer(start, end, &face.plane)?;
+        self.count_pixels(end - start);
+        let left = self.store_nearer(start, end, face)?;
         if left > 0 {
             return self.draw_rest(face, [start, end], left);
         }
@@ -87,6 +88,33 @@ where
         let run = H::Attributes::even_run(&face.attributes, start, end, self.row.y);
         varying::<S, D, H, F, O>(self.faces, &skin, face.word, run).fill(self.row.pixels(start, end)?);
         None
+    }
+
+    /// Whether the depths of the row are tested.
+    #[inline(always)]
+    fn is_tested(&self) -> bool {
+        !may_be_untested::<S, D, H, F>() || self.row.is_tested
+    }
+
+    /// Counts the pixels of a span that is drawn.
+    #[inline(always)]
+    fn count_pixels(&self, pixels: i32) {
+        if self.is_tested() {
+            self.faces.count().tested(pixels as usize);
+        } else {
+            self.faces.count().filled(pixels as usize);
+        }
+    }
+
+    /// Stores the depths of a face at pixels inside the row from a column on, as long as they are nearer than the stored ones.
+    /// Returns how many pixels are left; 0 where depths are not tested, and none is stored.
+    #[inline(always)]
+    fn store_nearer(&mut self, start: i32, end: i32, face: &ActiveFace<S, H>) -> Option<usize> {
+        if self.is_tested() {
+            self.row.store_nearer(start, end, &face.plane)
+        } else {
+            Some(0)
+        }
     }
 
     /// Draws the part of a span of a face that is inside the row and whose attributes step evenly, pixel by pixel: each may be
@@ -123,7 +151,7 @@ where
         if column >= end {
             return None;
         }
-        self.faces.count().tested((end - column) as usize);
+        self.count_pixels(end - column);
         self.draw_parts(face, [column, column, end], None)
     }
 
@@ -136,6 +164,10 @@ where
         [start, mut column, end]: [i32; 3],
         run: Option<&Run<ValuesOf<H>>>,
     ) -> Option<usize> {
+        if !self.is_tested() {
+            self.fill_part(face, [start, column, end], run);
+            return None;
+        }
         loop {
             column = self.row.skip_farther(column, end, &face.plane);
             if column == end {
@@ -174,7 +206,7 @@ where
         if column >= last {
             return None;
         }
-        self.faces.count().tested((last - column) as usize);
+        self.count_pixels(last - column);
         let mut runs = DividedRuns::new::<S, D, H>(face, span, [column, self.row.y], self.row.left);
         self.faces.count().divisions(1);
         while column < last {
@@ -210,7 +242,7 @@ where
         [start, end]: [i32; 2],
         run: &Run<ValuesOf<H>>,
     ) -> Option<usize> {
-        let left = self.row.store_nearer(start, end, &face.plane)?;
+        let left = self.store_nearer(start, end, face)?;
         if left > 0 {
             return self.draw_hidden_run(face, [start, end], left as i32, run);
         }
@@ -229,6 +261,7 @@ where
         [mut column, last]: [i32; 2],
     ) -> Result<i32, i32> {
         let range = column as usize..runs.last_column().min(last) as usize;
+        let is_tested = self.is_tested();
         let words = self.row.words.get_mut(range.clone()).unwrap_or_default();
         let depths = self.row.depths.get_mut(range).unwrap_or_default();
         let (mut depth, per_column) = (face.plane.at(column, self.row.y), face.plane.per_column);
@@ -236,7 +269,11 @@ where
         for (words, depths) in blocks_of(words).zip(blocks_of(depths)) {
             let run = runs.next_whole_run();
             self.faces.count().divisions(1);
-            let left = store_nearer_block(depths, depth, per_column);
+            let left = if is_tested {
+                store_nearer_block(depths, depth, per_column)
+            } else {
+                0
+            };
             if left > 0 {
                 hidden = Some((left as i32, run));
                 break;
@@ -366,6 +403,12 @@ pub(super) fn run<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S,
     } else {
         DividedRuns::new::<S, D, H>(face, span, [column, row], first_column).next_run(column)
     }
+}
+
+/// Whether rows may be drawn without testing depths though faces have depth planes, which their attributes are divided by: the
+/// faces are opaque, have no holes, and nothing but them is compared with the depths.
+pub(super) const fn may_be_untested<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>() -> bool {
+    H::Attributes::NEED_DEPTH && !H::HAS_HOLES && !H::BLENDS && !F::ANTIALIASES
 }
 
 /// Whether the attributes of a face step evenly along whole spans.

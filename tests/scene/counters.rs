@@ -183,9 +183,9 @@ fn faces_at_one_distance_divide_nothing() {
     let (askew, seen) = quadrangles(&[(1024, 0.125)]);
     assert_eq!(askew.fragments, seen);
     // At both ends of each span at least, and where the column is a multiple of 16 at most.
-    let spans = askew.spans_tested;
+    let (spans, pixels) = (askew.spans_filled, askew.pixels_filled);
     assert!(
-        (2 * spans..=2 * spans + askew.pixels_tested / 16 + spans).contains(&askew.divisions),
+        (2 * spans..=2 * spans + pixels / 16 + spans).contains(&askew.divisions),
         "{askew:?}"
     );
 }
@@ -200,13 +200,17 @@ fn hidden_pixels_have_no_texels() {
     assert!(both.pixels_tested > one.pixels_tested);
 }
 
-/// Rows of a textured scene that no face crosses need no depths; all others have them.
+/// Rows of a textured scene in which no face overlaps another need no depths; those have them in which one lies behind another.
 #[test]
-fn rows_without_faces_have_no_depths() {
-    let (counters, _) = quadrangles(&[(4096, 0.0)]);
-    let crossed = counters.rows - counters.rows_without_depth;
-    assert_eq!(counters.rows, 64);
-    assert!((5..60).contains(&crossed), "{counters:?}");
-    // Two faces to a row, but for those in which the diagonal leaves one of them empty.
-    assert!((crossed..=2 * crossed).contains(&counters.spans_tested), "{counters:?}");
+fn rows_have_depths_where_one_face_lies_behind_another() {
+    let (one, seen) = quadrangles(&[(4096, 0.0)]);
+    assert_eq!((one.rows, one.rows_without_depth), (64, 64));
+    assert_eq!((one.pixels_filled, one.pixels_tested), (seen, 0));
+    // The second one is smaller on the screen: above and below it, the first one is alone.
+    let (both, _) = quadrangles(&[(4096, 0.0), (5000, 0.0)]);
+    let crossed = both.rows - both.rows_without_depth;
+    assert!((5..60).contains(&crossed), "{both:?}");
+    assert!(both.pixels_filled > 0, "{both:?}");
+    // Four faces to a row, but for those in which the diagonals leave some of them empty.
+    assert!((2 * crossed..=4 * crossed).contains(&both.spans_tested), "{both:?}");
 }

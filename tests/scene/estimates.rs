@@ -260,8 +260,8 @@ fn large() -> Mesh {
     Mesh::new(vertices.to_vec(), vec![[0, 1, 2]])
 }
 
-/// A face as large as the picture, in perspective with a division at every 16th pixel: 26 instructions a pixel are counted on a
-/// Cortex-M4 for such a quad (`measure`), of which 15 are predicted for the texel.
+/// A face as large as the picture, in perspective with a division at every 16th pixel: 19 instructions a pixel are counted on a
+/// Cortex-M4 for such a quad, whose rows need no depths (`measure`), of which 15 are predicted for the texel.
 #[test]
 fn a_pixel_of_a_texture_is_predicted_as_it_is_counted() {
     let set = InstructionSet::Armv7M;
@@ -271,7 +271,7 @@ fn a_pixel_of_a_texture_is_predicted_as_it_is_counted() {
     let coordinates = [[0, 0], [4_000, 0], [0, 4_000]];
     let face = estimate::<Textured<Texels<Rgb565, 16, 16>>>(&large(), textured(&coordinates), tilted, set);
     let pixels = area().size.width * area().size.height;
-    let counted = 26 * pixels;
+    let counted = 19 * pixels;
     assert!(
         (face - nothing).abs_diff(counted) < counted * 15 / 100,
         "{} of {counted}",

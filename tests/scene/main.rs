@@ -56,6 +56,7 @@ mod sky;
 mod textures;
 mod translucent;
 mod unclipped_faces;
+mod untested_rows;
 mod visibility;
 mod visibility_depth_sort;
 mod visibility_rays;
