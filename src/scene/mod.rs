@@ -60,6 +60,7 @@ mod prepared;
 mod prepared_faces;
 mod prepared_lines;
 mod scene_item;
+mod seen_vertices;
 mod silhouette_tables;
 mod silhouettes;
 mod stored_attributes;

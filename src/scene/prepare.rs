@@ -11,6 +11,8 @@ use crate::{
         lens::{ProjectionOf, ScreenVertexOf, has_far_plane, on_screen, projection},
         off_screen::{mark_behind_far_plane, off_screen},
         preparation::{Preparation, begin, next_outside_rows, rows_of_face},
+        prepared_faces::UniformsOf,
+        seen_vertices::SeenVertices,
         stored_attributes::Stored,
     },
     shade::{Planes, Shading},
@@ -134,7 +136,6 @@ impl<L: Look> Preparation<'_, L> {
     fn transform_vertices(&mut self, camera: &Camera, models: &[Model<'_, L::Shading>]) -> Result<bool, InputError> {
         let Self { tables, projection, .. } = self;
         let mut slots = &mut *tables.vertices;
-        let mut attributes = &mut *tables.attributes;
         let mut all_inside = true;
         // Not by `then`, whose closure the compiler would begin with for all shadings.
         let volume = if L::Shading::HAS_BOUNDS {
@@ -148,33 +149,23 @@ impl<L: Look> Preparation<'_, L> {
             let Some((slots_of_model, rest)) = slots.split_at_mut_checked(vertices.len()) else {
                 break;
             };
-            let is_unseen;
             let transformed = if L::Shading::HAS_AFFINE_MAP {
                 let transform = affine_transform(model, camera).ok_or(InputError::ModelOutOfDomain { model: index })?;
-                is_unseen = is_beyond_bounds(volume.as_ref(), &transform, model, |ends| transform.fits(ends));
+                let is_unseen = is_beyond_bounds(volume.as_ref(), &transform, model, |ends| transform.fits(ends));
                 put_on_screen::<L>(projection, &transform, vertices, slots_of_model, is_unseen)
             } else {
                 let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
-                is_unseen = is_beyond_bounds(volume.as_ref(), &transform, model, |_| true);
+                let is_unseen = is_beyond_bounds(volume.as_ref(), &transform, model, |_| true);
                 put_on_screen::<L>(projection, &transform, vertices, slots_of_model, is_unseen)
             };
             all_inside &= transformed.map_err(|beyond| beyond.error(index))?;
             slots = rest;
-            if AttributesOf::<L>::VARY {
-                let Some((attributes_of_model, rest)) = attributes.split_at_mut_checked(vertices.len()) else {
-                    break;
-                };
-                if !is_unseen {
-                    shade_vertices::<L>(model, camera, attributes_of_model);
-                }
-                attributes = rest;
-            }
         }
         Ok(all_inside)
     }
 
-    /// Puts all faces into the buckets of their first rows. Backwards, because each face becomes the head of its
-    /// bucket.
+    /// Puts all faces into the buckets of their first rows, and computes what their vertices have beside positions. Backwards,
+    /// because each face becomes the head of its bucket.
     fn sort_faces(
         &mut self,
         camera: &Camera,
@@ -192,12 +183,42 @@ impl<L: Look> Preparation<'_, L> {
             if is_left_out::<L>(self.tables.vertices, first_vertex) {
                 continue;
             }
-            if L::CLIPS && cut {
+            let mut seen = SeenVertices::none();
+            let may_be_cut = L::CLIPS && cut;
+            // Faces that are cut need what all their vertices have.
+            if may_be_cut || !Self::LIGHTS_VERTICES {
+                self.shade_vertices(camera, model, first_vertex, None);
+            }
+            if may_be_cut {
                 self.sort_faces_to_cut(camera, model, first_vertex, first_face);
             } else {
                 self.tables
-                    .sort_whole_faces(model, first_vertex, first_face, &self.viewport);
+                    .sort_whole_faces(model, first_vertex, first_face, &self.viewport, &mut seen);
             }
+            if !may_be_cut && Self::LIGHTS_VERTICES {
+                self.shade_vertices(camera, model, first_vertex, Some(&seen));
+            }
+        }
+    }
+
+    /// Whether so much is computed for a vertex that it is left out where no face is seen: there are lights. Silhouettes also
+    /// look at faces between the centres of pixels, which rows do not reach.
+    const LIGHTS_VERTICES: bool = AttributesOf::<L>::VARY && !L::Silhouettes::BY_AREA && size_of::<UniformsOf<L>>() > 0;
+
+    /// Fills in what the vertices of a model have beside their positions: those that are seen, or all.
+    fn shade_vertices(
+        &mut self,
+        camera: &Camera,
+        model: &Model<'_, L::Shading>,
+        first_vertex: usize,
+        seen: Option<&SeenVertices>,
+    ) {
+        if !AttributesOf::<L>::VARY {
+            return;
+        }
+        let end = first_vertex + model.mesh().vertices().len();
+        if let Some(attributes) = self.tables.attributes.get_mut(first_vertex..end) {
+            shade_vertices::<L>(model, camera, attributes, seen);
         }
     }
 }
@@ -212,6 +233,7 @@ impl<L: Look> Tables<'_, L> {
         first_vertex: usize,
         first_face: usize,
         viewport: &Window,
+        seen: &mut SeenVertices,
     ) {
         let mesh = model.mesh();
         let is_mirrored = model.is_mirrored();
@@ -226,6 +248,9 @@ impl<L: Look> Tables<'_, L> {
             let node = (first_face + index) as u16;
             if let Some(rows) = rows_of_face::<L>(corners, viewport) {
                 *next = begin(self.rows, node, rows);
+                if Preparation::<L>::LIGHTS_VERTICES {
+                    seen.mark(*face);
+                }
             } else if L::Silhouettes::BY_AREA {
                 *next = next_outside_rows::<L>(corners, node);
             }
@@ -306,14 +331,30 @@ fn transform_model<L: Look>(
     Ok(all_inside)
 }
 
-/// Fills in what the vertices of a model have beside their positions.
+/// Fills in what the vertices of a model have beside their positions: those that are seen, or all.
 #[inline(never)]
-fn shade_vertices<L: Look>(model: &Model<'_, L::Shading>, camera: &Camera, attributes: &mut [StoredOf<L>]) {
+fn shade_vertices<L: Look>(
+    model: &Model<'_, L::Shading>,
+    camera: &Camera,
+    attributes: &mut [StoredOf<L>],
+    seen: Option<&SeenVertices>,
+) {
     let uniforms = L::Shading::uniforms(model.skin(), &model.pose, camera);
     let vertices = model.mesh().vertices().iter().enumerate();
+    let mut bits = u32::MAX;
     for (attributes, (vertex, position)) in attributes.iter_mut().zip(vertices) {
-        let all = L::Shading::vertex(model.skin(), &uniforms, vertex, position.map(i32::from));
-        *attributes = StoredOf::<L>::new(all);
+        // The constant first: in other looks all vertices are filled in.
+        if Preparation::<L>::LIGHTS_VERTICES && vertex % SeenVertices::CHUNK == 0 {
+            bits = seen.map_or(u32::MAX, |seen| seen.of_chunk(vertex / SeenVertices::CHUNK));
+        }
+        let is_seen = bits & 1 != 0;
+        if Preparation::<L>::LIGHTS_VERTICES {
+            bits >>= 1;
+        }
+        if is_seen {
+            let all = L::Shading::vertex(model.skin(), &uniforms, vertex, position.map(i32::from));
+            *attributes = StoredOf::<L>::new(all);
+        }
     }
 }
 

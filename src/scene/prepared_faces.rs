@@ -39,7 +39,7 @@ type SkinOf<'f, 'm, L> = (
 );
 
 /// What is the same for all vertices of a model in a frame.
-type UniformsOf<L> = <<L as Look>::Shading as Shading>::Uniforms;
+pub(super) type UniformsOf<L> = <<L as Look>::Shading as Shading>::Uniforms;
 
 /// What is the same for all vertices of models in a frame, as far as it is known.
 pub(super) struct FrameUniforms<L: Look> {

@@ -136,7 +136,9 @@ pub trait Shading: 'static {
     /// Computes what is the same for all vertices of a model that is in a pose before a camera. Called once a model and frame.
     fn uniforms(skin: &Self::Skin<'_>, pose: &Pose, camera: &Camera) -> Self::Uniforms;
 
-    /// The attributes of a vertex of the mesh: its index, and its position in the mesh. Called once a vertex and frame.
+    /// The attributes of a vertex of the mesh: its index, and its position in the mesh. Called at most once a vertex and frame:
+    /// where there are [uniforms](Self::Uniforms), as of lights, not for vertices all of whose faces are turned away or beside
+    /// the picture.
     fn vertex(skin: &Self::Skin<'_>, uniforms: &Self::Uniforms, vertex: usize, position: [i32; 3]) -> Self::Attributes;
 
     /// The word of a face of the mesh, before anything varies over it. `None` for a face that is not drawn. Called when
