@@ -38,6 +38,8 @@ enum Command {
     Mesh(tool::Options),
     /// Links firmware that calls the whole public API, and fails if a panic is in it
     Panics(tool::Options),
+    /// Writes the playground: a page in which a scene is edited and drawn row by row
+    Playground(tool::Options),
     /// Measures what each method of visibility costs over faces and layers, and writes docs/visibility.md
     Visibility(tool::Options),
 }
@@ -62,6 +64,7 @@ fn main() -> anyhow::Result<ExitCode> {
         Some(Command::Measure(options)) => ("measure", options),
         Some(Command::Mesh(options)) => ("mesh", options),
         Some(Command::Panics(options)) => ("panics", options),
+        Some(Command::Playground(options)) => ("playground", options),
         Some(Command::Visibility(options)) => {
             first = &["--only", "visibility.", "--docs"];
             ("measure", options)

@@ -1,0 +1,164 @@
+// The form: what is chosen in it becomes the state, and the state is shown in it.
+
+import {
+  DEPTHS, FARTHEST, HEIGHT, KINDS, METHODS, MOST_ITEMS, MOST_POINTS, POTS, PRECISIONS, ROWS, WIDTH, isPolygon, neededPoints, picture,
+  printable, read, snapped,
+} from "./state.js";
+
+const element = (id) => document.getElementById(id);
+
+function option(value, text) {
+  const option = document.createElement("option");
+  option.value = value;
+  option.textContent = text;
+  return option;
+}
+
+const rowsTitle = (rows) => (rows === 0 ? `all ${HEIGHT} rows` : rows === 1 ? "1 row" : `${rows} rows`);
+
+/** What a new item of a kind is. */
+function newItem(kind) {
+  const [x, y] = [WIDTH / 2, HEIGHT / 2];
+  const points = {
+    polygon: [[x, y - 40], [x + 35, y + 30], [x - 35, y + 30]],
+    even_odd: [[x - 40, y - 40], [x + 40, y - 40], [x - 40, y + 40], [x + 40, y + 40]],
+    line: [[x - 60, y + 20], [x + 60, y - 20]],
+    circle: [[x, y], [x + 40, y]],
+    text: [[x - 60, y]],
+  }[kind];
+  return { kind, color: "f4f4ec", size: { line: 4, text: 30 }[kind] ?? 0, points, text: kind === "text" ? "Text" : "" };
+}
+
+/** All controls beside the panel. */
+export class Controls {
+  constructor(app) {
+    this.app = app;
+    element("preset").replaceChildren(...app.data.presets.map(({ title }, index) => option(index, title)), option("own", "Your own"));
+    element("preset").addEventListener("change", ({ target }) => {
+      const preset = app.data.presets[target.value];
+      if (preset) app.load(read(preset.address));
+    });
+    this.choice("method", METHODS);
+    this.choice("precision", PRECISIONS);
+    this.choice("depth", DEPTHS);
+    this.choice("pot", POTS);
+    this.choice("rows", ROWS.map((rows) => [rows, rowsTitle(rows)]), Number);
+    for (const id of ["turn", "tilt"]) this.input(id, (state, { value }) => { state[id] = Number(value); });
+    element("kind").replaceChildren(...KINDS.map(([name, title]) => option(name, title)));
+    this.itemInputs();
+    this.itemButtons();
+    element("copy").addEventListener("click", () => this.copy());
+  }
+
+  choice(id, choices, convert = String) {
+    element(id).replaceChildren(...choices.map(([name, title]) => option(name, title)));
+    element(id).addEventListener("change", ({ target }) => this.app.change((state) => { state[id] = convert(target.value); }));
+  }
+
+  input(id, apply) {
+    element(id).addEventListener("input", ({ target }) => this.app.change((state) => apply(state, target)));
+  }
+
+  itemInputs() {
+    const ofItem = (id, apply) => this.input(id, (state, target) => {
+      const item = state.items[state.selected];
+      if (item && target.checkValidity()) apply(item, target.value, state);
+    });
+    ofItem("color", (item, value) => { item.color = value.slice(1); });
+    ofItem("size", (item, value) => { item.size = Math.min(Math.max(snapped(Number(value)), 0), 160); });
+    ofItem("text", (item, value) => { item.text = printable(value); });
+    const move = (axis) => (item, value, state) => {
+      if (value !== "") item.points[state.point][axis] = Math.min(Math.max(snapped(Number(value)), -FARTHEST), FARTHEST);
+    };
+    ofItem("x", move(0));
+    ofItem("y", move(1));
+    // Any number of 1/256 pixel may stand there, whatever the step of the buttons.
+    for (const id of ["x", "y", "size"]) element(id).form?.setAttribute("novalidate", "");
+  }
+
+  itemButtons() {
+    const { app } = this;
+    const button = (id, apply) => element(id).addEventListener("click", () => app.change(apply));
+    button("add", (state) => {
+      if (state.items.length === MOST_ITEMS) return;
+      state.items.push(newItem(element("kind").value));
+      [state.selected, state.point, state.loupe] = [state.items.length - 1, 0, null];
+    });
+    button("remove", (state) => {
+      state.items.splice(state.selected, 1);
+      [state.selected, state.point] = [Math.max(Math.min(state.selected, state.items.length - 1), 0), 0];
+    });
+    button("add-point", (state) => {
+      const { points } = state.items[state.selected];
+      if (points.length === MOST_POINTS) return;
+      const [from, to] = [points[state.point], points[(state.point + 1) % points.length]];
+      points.splice(state.point + 1, 0, from.map((pixels, axis) => snapped((pixels + to[axis]) / 2)));
+      state.point += 1;
+    });
+    button("remove-point", (state) => {
+      const { kind, points } = state.items[state.selected];
+      if (points.length === neededPoints(kind)) return;
+      points.splice(state.point, 1);
+      state.point = Math.min(state.point, points.length - 1);
+    });
+  }
+
+  async copy() {
+    this.app.write();
+    try {
+      await navigator.clipboard.writeText(location.href);
+      element("copied").textContent = "Copied.";
+    } catch {
+      element("copied").textContent = "The address of this page is the link.";
+    }
+  }
+
+  show() {
+    const { state, data } = this.app, shown = picture(state);
+    const preset = data.presets.findIndex(({ address }) => picture(read(address)) === shown);
+    element("preset").value = preset < 0 ? "own" : preset;
+    for (const id of ["method", "precision", "depth", "pot", "rows", "turn", "tilt"]) element(id).value = state[id];
+    for (const id of ["turn", "tilt"]) element(id).disabled = state.pot === "none";
+    this.showItems();
+    this.showItem();
+    element("copied").textContent = "";
+  }
+
+  showItems() {
+    const { app } = this, { state } = app, list = element("items");
+    const entries = state.items.map((item, index) => {
+      const label = document.createElement("label"), radio = document.createElement("input"), swatch = document.createElement("span");
+      Object.assign(radio, { type: "radio", name: "item", checked: index === state.selected });
+      radio.addEventListener("change", () => app.select(index, 0));
+      swatch.className = "swatch";
+      swatch.style.background = `#${item.color}`;
+      label.append(radio, swatch, app.title(item));
+      return label;
+    });
+    const focused = [...list.querySelectorAll("input")].indexOf(document.activeElement);
+    list.replaceChildren(...entries);
+    if (focused >= 0) list.querySelectorAll("input")[Math.min(state.selected, entries.length - 1)]?.focus();
+    element("add").disabled = state.items.length === MOST_ITEMS;
+    element("remove").disabled = state.items.length === 0;
+  }
+
+  showItem() {
+    const { state } = this.app, item = state.items[state.selected];
+    element("item").hidden = !item;
+    if (!item) return;
+    const set = (id, value) => { if (element(id) !== document.activeElement || element(id).type === "color") element(id).value = value; };
+    set("color", `#${item.color}`);
+    set("size", item.size);
+    set("text", item.text);
+    set("x", item.points[state.point][0]);
+    set("y", item.points[state.point][1]);
+    element("size-label").textContent = item.kind === "text" ? "Size, px" : "Width, px";
+    element("point-label").textContent = `Point ${state.point + 1}, x`;
+    const show = (id, isShown) => { element(id).closest(".field, .bar").hidden = !isShown; };
+    show("size", item.kind === "line" || item.kind === "text");
+    show("text", item.kind === "text");
+    show("polygon-bar", isPolygon(item));
+    element("add-point").disabled = item.points.length === MOST_POINTS;
+    element("remove-point").disabled = item.points.length === neededPoints(item.kind);
+  }
+}

@@ -1,0 +1,151 @@
+// The loupe: some pixels magnified 16 times, and beside them the error of their coverage as a heat map.
+
+import { WIDTH, HEIGHT } from "./state.js";
+import { areaOf, contourEdges, errors, lineCorners } from "./exact.js";
+import { direction } from "./panel.js";
+
+const ZOOM = 16;
+export const LOUPE_COLUMNS = 20;
+export const LOUPE_ROWS = 16;
+/** An error of this many 1/255 has the strongest colour. */
+const STRONGEST = 127;
+
+/** A number with three digits. */
+const digits = (number) => (number === 0 ? "0" : number >= 100 ? number.toFixed(0) : number.toPrecision(3));
+
+/** A colour of the style sheet, in light or dark as the page is. */
+function color(name) {
+  const probe = document.getElementById("scale");
+  probe.style.accentColor = `var(${name})`;
+  return getComputedStyle(probe).accentColor;
+}
+
+/** The upper left pixel of a loupe around a position, all of it on the panel. */
+export function around([x, y]) {
+  const clamp = (first, most) => Math.min(Math.max(Math.round(first), 0), most);
+  return [clamp(x - LOUPE_COLUMNS / 2, WIDTH - LOUPE_COLUMNS), clamp(y - LOUPE_ROWS / 2, HEIGHT - LOUPE_ROWS)];
+}
+
+/** The strength and the direction of a colour: the logarithm of the error, so that small ones are seen. */
+const strength = (error) => Math.sign(error) * Math.min(Math.log2(1 + Math.abs(error)) / Math.log2(1 + STRONGEST), 1);
+
+function mixed(error, colors) {
+  const amount = strength(error), to = amount < 0 ? colors.less : colors.more;
+  return `color-mix(in oklab, ${to} ${Math.round(100 * Math.abs(amount))}%, ${colors.none})`;
+}
+
+/** Both canvases of the loupe and the sentence below them. */
+export class Loupe {
+  constructor(app) {
+    this.app = app;
+    this.picture = document.getElementById("loupe");
+    this.heat = document.getElementById("heat");
+    this.picture.addEventListener("keydown", (event) => {
+      const way = direction(event);
+      if (!way) return;
+      event.preventDefault();
+      const step = event.shiftKey ? 8 : 1, corner = this.corner();
+      app.change((state) => { state.loupe = this.inside(corner.map((first, axis) => first + way[axis] * step)); });
+    });
+  }
+
+  inside([x, y]) {
+    return around([x + LOUPE_COLUMNS / 2, y + LOUPE_ROWS / 2]);
+  }
+
+  /** The upper left pixel: where the loupe was put, or around the selected point. */
+  corner() {
+    const { state } = this.app;
+    if (state.loupe) return this.inside(state.loupe);
+    return around(state.items[state.selected]?.points[state.point] ?? [WIDTH / 2, HEIGHT / 2]);
+  }
+
+  show() {
+    const corner = this.corner(), { state, engine } = this.app, item = state.items[state.selected];
+    const frame = document.getElementById("frame").style;
+    [frame.left, frame.top] = [`${(100 * corner[0]) / WIDTH}%`, `${(100 * corner[1]) / HEIGHT}%`];
+    [frame.width, frame.height] = [`${(100 * LOUPE_COLUMNS) / WIDTH}%`, `${(100 * LOUPE_ROWS) / HEIGHT}%`];
+    this.magnify(corner);
+    if (item) this.showError(corner, item, engine.cover(state.selected), engine.edges(state.selected));
+    else this.clear();
+  }
+
+  magnify([left, top]) {
+    const context = this.picture.getContext("2d"), pixels = this.app.engine.pixels();
+    this.each(([column, row, x, y]) => {
+      const at = 4 * ((top + row) * WIDTH + left + column);
+      context.fillStyle = `rgb(${pixels[at]} ${pixels[at + 1]} ${pixels[at + 2]})`;
+      context.fillRect(x, y, ZOOM, ZOOM);
+    });
+    const { state } = this.app, item = state.items[state.selected];
+    if (item) this.outline(context, [left, top], item);
+  }
+
+  /** The exact outline, light on dark and dark on light. */
+  outline(context, [left, top], item) {
+    const place = ([x, y]) => [(x + 0.5 - left) * ZOOM, (y + 0.5 - top) * ZOOM];
+    const path = new Path2D();
+    if (item.kind === "circle") {
+      const [[x0, y0], [x1, y1]] = item.points;
+      path.arc(...place([x0, y0]), Math.hypot(x1 - x0, y1 - y0) * ZOOM, 0, 2 * Math.PI);
+    } else {
+      for (const [x0, y0, x1, y1] of this.edges(item)) {
+        path.moveTo(...place([x0, y0]));
+        path.lineTo(...place([x1, y1]));
+      }
+    }
+    for (const [style, width] of [["#000c", 3], ["#fffc", 1]]) {
+      context.strokeStyle = style;
+      context.lineWidth = width;
+      context.stroke(path);
+    }
+  }
+
+  edges(item) {
+    if (item.kind === "text") return this.app.engine.edges(this.app.state.selected);
+    return contourEdges(item.kind === "line" ? lineCorners(item.points, item.size) : item.points);
+  }
+
+  showError([left, top], item, mask, flattened) {
+    const area = areaOf(item, flattened), context = this.heat.getContext("2d"), colors = this.colors();
+    this.each(([column, row, x, y]) => {
+      const at = (top + row) * WIDTH + left + column, exact = 255 * area(left + column, top + row);
+      context.fillStyle = mixed(mask[at] - exact, colors);
+      context.fillRect(x, y, ZOOM, ZOOM);
+    });
+    const { rms, largest, count } = errors(mask, area, WIDTH, HEIGHT);
+    document.getElementById("heat-text").textContent =
+      "Error: coverage less the exact area, in 1/255 of a pixel. Blue is too little, red too much.";
+    const of = item.kind === "text" ? "its flattened outline" : "what is drawn in exact arithmetic";
+    document.getElementById("error-text").textContent = `${this.app.title(item)} on ${count} edge pixels: rms error ` +
+      `${digits(rms)}, largest ${digits(largest)} of 255, against the exact area of ${of}.`;
+    this.showScale(colors);
+  }
+
+  clear() {
+    this.heat.getContext("2d").clearRect(0, 0, this.heat.width, this.heat.height);
+    document.getElementById("heat-text").textContent = "Select an item to see the error of its coverage.";
+    document.getElementById("error-text").textContent = "";
+  }
+
+  colors() {
+    return { less: color("--less"), more: color("--more"), none: color("--none") };
+  }
+
+  showScale(colors) {
+    const scale = document.getElementById("scale-colors"), context = scale.getContext("2d");
+    for (let x = 0; x < scale.width; x++) {
+      const amount = (2 * x) / (scale.width - 1) - 1;
+      const error = Math.sign(amount) * (2 ** (Math.abs(amount) * Math.log2(1 + STRONGEST)) - 1);
+      context.fillStyle = mixed(error, colors);
+      context.fillRect(x, 0, 1, 1);
+    }
+  }
+
+  /** Calls with column, row, and the position on the canvas, of each pixel. */
+  each(call) {
+    for (let row = 0; row < LOUPE_ROWS; row++) {
+      for (let column = 0; column < LOUPE_COLUMNS; column++) call([column, row, column * ZOOM, row * ZOOM]);
+    }
+  }
+}
