@@ -8,6 +8,7 @@ mod depth_test;
 mod docs;
 mod effects;
 mod firmware;
+mod playground;
 mod report;
 mod selection;
 mod siblings;
@@ -69,6 +70,9 @@ pub fn run(options: &Options) -> anyhow::Result<()> {
     }
     if is_only("visibility") {
         cases.extend(visibility::cases());
+    }
+    if is_only("playground") {
+        cases.extend(playground::cases());
     }
     // A program for each sibling, which has no budget: for the page that shows them.
     if is_only("flash.sibling") || options.docs {

@@ -49,8 +49,12 @@ async function checkScan(page, checksum, whole) {
   const label = page.locator("#band-number");
   assert.equal(await label.textContent(), "1 of 320");
   assert.notEqual((await shown(page, checksum)).sum, whole.sum, "a scan shows a part of the picture");
+  await page.getByLabel("Band:").fill("200");
+  assert.equal(await label.textContent(), "200 of 320");
   await page.getByRole("button", { name: "Play the scan" }).click();
-  await page.waitForFunction(() => document.getElementById("band-number").textContent === "320 of 320", null, { timeout: 20_000 });
+  await page.waitForFunction(() => document.getElementById("band-number").textContent === "320 of 320", null, {
+    timeout: 20_000,
+  });
   await page.waitForFunction(() => document.getElementById("play").textContent === "Play the scan");
   assert.deepEqual(await shown(page, checksum), whole, "the scan ends with the picture");
 }

@@ -11,7 +11,8 @@ function random(seed) {
   return () => (state = (state * 48271) % 2147483647) / 2147483647;
 }
 
-const near = (actual, expected, tolerance, message) => assert.ok(Math.abs(actual - expected) <= tolerance, `${message}: ${actual}, not ${expected}`);
+const near = (actual, expected, tolerance, message) =>
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${message}: ${actual}, not ${expected}`);
 
 /** The part of a pixel that lies inside, by points on a fine grid. */
 function counted(isInside, column, row, points = 100) {
@@ -34,7 +35,15 @@ function winding(points, x, y) {
 }
 
 test("half of the pixel in which a bow tie crosses itself is inside", () => {
-  const bowTie = { kind: "polygon", points: [[1.5, 1.5], [8.5, 1.5], [1.5, 8.5], [8.5, 8.5]] };
+  const bowTie = {
+    kind: "polygon",
+    points: [
+      [1.5, 1.5],
+      [8.5, 1.5],
+      [1.5, 8.5],
+      [8.5, 8.5],
+    ],
+  };
   near(areaOf(bowTie)(5, 5), 0.5, 1e-12, "the crossing");
 });
 
@@ -45,8 +54,39 @@ test("polygons have the areas that counting finds, by both rules", () => {
     for (const isEvenOdd of [false, true]) {
       const isInside = (x, y) => (isEvenOdd ? winding(points, x, y) % 2 !== 0 : winding(points, x, y) !== 0);
       const [column, row] = [Math.floor(next() * 5), Math.floor(next() * 5)];
-      near(polygonArea(contourEdges(points), isEvenOdd, column, row), counted(isInside, column, row), 0.012, `round ${round}`);
+      near(
+        polygonArea(contourEdges(points), isEvenOdd, column, row),
+        counted(isInside, column, row),
+        0.012,
+        `round ${round}`,
+      );
     }
+  }
+});
+
+test("level edges within a pixel are seen, also where no other edge passes through it", () => {
+  const area = areaOf(
+    {
+      kind: "polygon",
+      points: [
+        [0, 2],
+        [9, 2],
+        [9, 5.25],
+        [0, 5.25],
+      ],
+    },
+    [],
+  );
+  for (const [column, row, expected] of [
+    [4, 2, 0.5],
+    [0, 2, 0.25],
+    [4, 3, 1],
+    [4, 5, 0.75],
+    [4, 6, 0],
+    [9, 5, 0.375],
+    [10, 3, 0],
+  ]) {
+    near(area(column, row), expected, 1e-12, `pixel ${column}, ${row}`);
   }
 });
 
@@ -58,14 +98,28 @@ test("circles have the areas that counting finds, and add up to pi times the squ
     const isInside = (px, py) => Math.hypot(px - x, py - y) < radius;
     near(circleArea([x, y], radius, column, row), counted(isInside, column, row), 0.012, `round ${round}`);
     let sum = 0;
-    for (let index = 0; index < 400; index++) sum += circleArea([x, y], radius, (index % 20) - 8, Math.floor(index / 20) - 8);
+    for (let index = 0; index < 400; index++)
+      sum += circleArea([x, y], radius, (index % 20) - 8, Math.floor(index / 20) - 8);
     near(sum, Math.PI * radius * radius, 1e-9, `sum of round ${round}`);
   }
 });
 
 test("a line is as large as its length times its width", () => {
-  const corners = lineCorners([[2.25, 3.5], [17, 9.75]], 3);
-  const area = areaOf({ kind: "line", points: [[2.25, 3.5], [17, 9.75]], size: 3 });
+  const corners = lineCorners(
+    [
+      [2.25, 3.5],
+      [17, 9.75],
+    ],
+    3,
+  );
+  const area = areaOf({
+    kind: "line",
+    points: [
+      [2.25, 3.5],
+      [17, 9.75],
+    ],
+    size: 3,
+  });
   let sum = 0;
   for (let index = 0; index < 400; index++) sum += area(index % 20, Math.floor(index / 20));
   near(sum, 3 * Math.hypot(14.75, 6.25), 1e-9, "the sum");

@@ -3,7 +3,11 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 
-const VIEWS = [["phone", 360, 740], ["tablet", 800, 1000], ["desk", 1366, 900]];
+const VIEWS = [
+  ["phone", 360, 740],
+  ["tablet", 800, 1000],
+  ["desk", 1366, 900],
+];
 
 export async function checkLayout(page, url, folder) {
   for (const scheme of ["light", "dark"]) {
@@ -18,9 +22,11 @@ export async function checkLayout(page, url, folder) {
       if (folder) await page.screenshot({ path: join(folder, `${name}-${scheme}.png`), fullPage: true });
     }
   }
-  const nameless = await page.evaluate(() => [...document.querySelectorAll("button, select, input")]
-    .filter((control) => !(control.labels?.length || control.ariaLabel || control.textContent.trim()))
-    .map((control) => control.outerHTML));
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll("button, select, input")]
+      .filter((control) => !(control.labels?.length || control.ariaLabel || control.textContent.trim()))
+      .map((control) => control.outerHTML),
+  );
   assert.deepEqual(nameless, [], "every control has a name");
   console.log("no view scrolls sideways, from 360 px on, and every control has a name");
 }

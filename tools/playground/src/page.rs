@@ -3,7 +3,7 @@
 use anyhow::{Context, ensure};
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use serde_json::json;
-use zrow_playground_scene::PRESETS;
+use zrow_playground_scene::{EMPTY_COUNT, POT_COUNT, PRESETS};
 
 use crate::counts;
 
@@ -29,11 +29,13 @@ const MODULES: &[(&str, &str)] = &[
 pub fn assemble(compressed: &[u8]) -> anyhow::Result<String> {
     let presets: Vec<_> = PRESETS
         .iter()
-        .map(|preset| json!({ "title": preset.title, "address": preset.address }))
+        .map(|preset| json!({ "title": preset.title, "address": preset.address, "counts": preset.counts }))
         .collect();
     let data = json!({
         "presets": presets,
         "counts": counts::read()?,
+        "emptyCount": EMPTY_COUNT,
+        "potCount": POT_COUNT,
         "program": STANDARD.encode(compressed),
     });
     // `<` would end the element of the data too early where `/script` follows.

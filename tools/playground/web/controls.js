@@ -1,8 +1,23 @@
 // The form: what is chosen in it becomes the state, and the state is shown in it.
 
 import {
-  DEPTHS, FARTHEST, HEIGHT, KINDS, METHODS, MOST_ITEMS, MOST_POINTS, POTS, PRECISIONS, ROWS, WIDTH, isPolygon, neededPoints, picture,
-  printable, read, snapped,
+  DEPTHS,
+  FARTHEST,
+  HEIGHT,
+  KINDS,
+  METHODS,
+  MOST_ITEMS,
+  MOST_POINTS,
+  POTS,
+  PRECISIONS,
+  ROWS,
+  WIDTH,
+  isPolygon,
+  neededPoints,
+  picture,
+  printable,
+  read,
+  snapped,
 } from "./state.js";
 
 const element = (id) => document.getElementById(id);
@@ -20,20 +35,42 @@ const rowsTitle = (rows) => (rows === 0 ? `all ${HEIGHT} rows` : rows === 1 ? "1
 function newItem(kind) {
   const [x, y] = [WIDTH / 2, HEIGHT / 2];
   const points = {
-    polygon: [[x, y - 40], [x + 35, y + 30], [x - 35, y + 30]],
-    even_odd: [[x - 40, y - 40], [x + 40, y - 40], [x - 40, y + 40], [x + 40, y + 40]],
-    line: [[x - 60, y + 20], [x + 60, y - 20]],
-    circle: [[x, y], [x + 40, y]],
+    polygon: [
+      [x, y - 40],
+      [x + 35, y + 30],
+      [x - 35, y + 30],
+    ],
+    even_odd: [
+      [x - 40, y - 40],
+      [x + 40, y - 40],
+      [x - 40, y + 40],
+      [x + 40, y + 40],
+    ],
+    line: [
+      [x - 60, y + 20],
+      [x + 60, y - 20],
+    ],
+    circle: [
+      [x, y],
+      [x + 40, y],
+    ],
     text: [[x - 60, y]],
   }[kind];
   return { kind, color: "f4f4ec", size: { line: 4, text: 30 }[kind] ?? 0, points, text: kind === "text" ? "Text" : "" };
 }
 
+/** Whether two states show the same, however it is drawn. */
+const hasSameThings = (one, { method, precision, rows, depth, ...other }) =>
+  picture({ ...one, method, precision, rows, depth }) === picture({ ...other, method, precision, rows, depth });
+
 /** All controls beside the panel. */
 export class Controls {
   constructor(app) {
     this.app = app;
-    element("preset").replaceChildren(...app.data.presets.map(({ title }, index) => option(index, title)), option("own", "Your own"));
+    element("preset").replaceChildren(
+      ...app.data.presets.map(({ title }, index) => option(index, title)),
+      option("own", "Your own"),
+    );
     element("preset").addEventListener("change", ({ target }) => {
       const preset = app.data.presets[target.value];
       if (preset) app.load(read(preset.address));
@@ -42,8 +79,15 @@ export class Controls {
     this.choice("precision", PRECISIONS);
     this.choice("depth", DEPTHS);
     this.choice("pot", POTS);
-    this.choice("rows", ROWS.map((rows) => [rows, rowsTitle(rows)]), Number);
-    for (const id of ["turn", "tilt"]) this.input(id, (state, { value }) => { state[id] = Number(value); });
+    this.choice(
+      "rows",
+      ROWS.map((rows) => [rows, rowsTitle(rows)]),
+      Number,
+    );
+    for (const id of ["turn", "tilt"])
+      this.input(id, (state, { value }) => {
+        state[id] = Number(value);
+      });
     element("kind").replaceChildren(...KINDS.map(([name, title]) => option(name, title)));
     this.itemInputs();
     this.itemButtons();
@@ -52,7 +96,11 @@ export class Controls {
 
   choice(id, choices, convert = String) {
     element(id).replaceChildren(...choices.map(([name, title]) => option(name, title)));
-    element(id).addEventListener("change", ({ target }) => this.app.change((state) => { state[id] = convert(target.value); }));
+    element(id).addEventListener("change", ({ target }) =>
+      this.app.change((state) => {
+        state[id] = convert(target.value);
+      }),
+    );
   }
 
   input(id, apply) {
@@ -60,15 +108,23 @@ export class Controls {
   }
 
   itemInputs() {
-    const ofItem = (id, apply) => this.input(id, (state, target) => {
-      const item = state.items[state.selected];
-      if (item && target.checkValidity()) apply(item, target.value, state);
+    const ofItem = (id, apply) =>
+      this.input(id, (state, target) => {
+        const item = state.items[state.selected];
+        if (item && target.checkValidity()) apply(item, target.value, state);
+      });
+    ofItem("color", (item, value) => {
+      item.color = value.slice(1);
     });
-    ofItem("color", (item, value) => { item.color = value.slice(1); });
-    ofItem("size", (item, value) => { item.size = Math.min(Math.max(snapped(Number(value)), 0), 160); });
-    ofItem("text", (item, value) => { item.text = printable(value); });
+    ofItem("size", (item, value) => {
+      item.size = Math.min(Math.max(snapped(Number(value)), 0), 160);
+    });
+    ofItem("text", (item, value) => {
+      item.text = printable(value);
+    });
     const move = (axis) => (item, value, state) => {
-      if (value !== "") item.points[state.point][axis] = Math.min(Math.max(snapped(Number(value)), -FARTHEST), FARTHEST);
+      if (value !== "")
+        item.points[state.point][axis] = Math.min(Math.max(snapped(Number(value)), -FARTHEST), FARTHEST);
     };
     ofItem("x", move(0));
     ofItem("y", move(1));
@@ -92,7 +148,11 @@ export class Controls {
       const { points } = state.items[state.selected];
       if (points.length === MOST_POINTS) return;
       const [from, to] = [points[state.point], points[(state.point + 1) % points.length]];
-      points.splice(state.point + 1, 0, from.map((pixels, axis) => snapped((pixels + to[axis]) / 2)));
+      points.splice(
+        state.point + 1,
+        0,
+        from.map((pixels, axis) => snapped((pixels + to[axis]) / 2)),
+      );
       state.point += 1;
     });
     button("remove-point", (state) => {
@@ -114,8 +174,8 @@ export class Controls {
   }
 
   show() {
-    const { state, data } = this.app, shown = picture(state);
-    const preset = data.presets.findIndex(({ address }) => picture(read(address)) === shown);
+    const { state, data } = this.app;
+    const preset = data.presets.findIndex(({ address }) => hasSameThings(read(address), state));
     element("preset").value = preset < 0 ? "own" : preset;
     for (const id of ["method", "precision", "depth", "pot", "rows", "turn", "tilt"]) element(id).value = state[id];
     for (const id of ["turn", "tilt"]) element(id).disabled = state.pot === "none";
@@ -125,9 +185,13 @@ export class Controls {
   }
 
   showItems() {
-    const { app } = this, { state } = app, list = element("items");
+    const { app } = this,
+      { state } = app,
+      list = element("items");
     const entries = state.items.map((item, index) => {
-      const label = document.createElement("label"), radio = document.createElement("input"), swatch = document.createElement("span");
+      const label = document.createElement("label"),
+        radio = document.createElement("input"),
+        swatch = document.createElement("span");
       Object.assign(radio, { type: "radio", name: "item", checked: index === state.selected });
       radio.addEventListener("change", () => app.select(index, 0));
       swatch.className = "swatch";
@@ -143,10 +207,13 @@ export class Controls {
   }
 
   showItem() {
-    const { state } = this.app, item = state.items[state.selected];
+    const { state } = this.app,
+      item = state.items[state.selected];
     element("item").hidden = !item;
     if (!item) return;
-    const set = (id, value) => { if (element(id) !== document.activeElement || element(id).type === "color") element(id).value = value; };
+    const set = (id, value) => {
+      if (element(id) !== document.activeElement || element(id).type === "color") element(id).value = value;
+    };
     set("color", `#${item.color}`);
     set("size", item.size);
     set("text", item.text);
@@ -154,7 +221,9 @@ export class Controls {
     set("y", item.points[state.point][1]);
     element("size-label").textContent = item.kind === "text" ? "Size, px" : "Width, px";
     element("point-label").textContent = `Point ${state.point + 1}, x`;
-    const show = (id, isShown) => { element(id).closest(".field, .bar").hidden = !isShown; };
+    const show = (id, isShown) => {
+      element(id).closest(".field, .bar").hidden = !isShown;
+    };
     show("size", item.kind === "line" || item.kind === "text");
     show("text", item.kind === "text");
     show("polygon-bar", isPolygon(item));

@@ -21,7 +21,9 @@ class Engine {
   draw(state) {
     const text = this.encoder.encode(picture(state));
     new Uint8Array(this.exports.memory.buffer, this.exports.address_buffer(), 4096).set(text.subarray(0, 4096));
-    return this.exports.draw(Math.min(text.length, 4096)) === 0 ? null : "An item has more edges than the playground has memory for.";
+    return this.exports.draw(Math.min(text.length, 4096)) === 0
+      ? null
+      : "An item has more edges than the playground has memory for.";
   }
 
   /** Red, green, blue and opacity of each pixel. */
@@ -39,12 +41,16 @@ class Engine {
   edges(item) {
     const count = this.exports.edges(item);
     const numbers = new Int32Array(this.exports.memory.buffer, this.exports.edge_buffer(), 4 * count);
-    return Array.from({ length: count }, (_, edge) => Array.from(numbers.subarray(4 * edge, 4 * edge + 4), (units) => units / 256));
+    return Array.from({ length: count }, (_, edge) =>
+      Array.from(numbers.subarray(4 * edge, 4 * edge + 4), (units) => units / 256),
+    );
   }
 
   /** Bytes of the band, the coverage of a row, the depths of a row, a frame buffer and a depth buffer. */
   footprint() {
-    const [band, coverageRow, depthRow, frameBuffer, depthBuffer] = [0, 1, 2, 3, 4].map((which) => this.exports.bytes(which));
+    const [band, coverageRow, depthRow, frameBuffer, depthBuffer] = [0, 1, 2, 3, 4].map((which) =>
+      this.exports.bytes(which),
+    );
     return { band, coverageRow, depthRow, frameBuffer, depthBuffer };
   }
 }

@@ -10,8 +10,14 @@ export const contourEdges = (points) => points.map((to, index) => [...points.at(
 export function lineCorners([[x0, y0], [x1, y1]], width) {
   const length = Math.hypot(x1 - x0, y1 - y0);
   if (length === 0) return [];
-  const nx = (-(y1 - y0) / length) * width / 2, ny = ((x1 - x0) / length) * width / 2;
-  return [[x0 + nx, y0 + ny], [x1 + nx, y1 + ny], [x1 - nx, y1 - ny], [x0 - nx, y0 - ny]];
+  const nx = ((-(y1 - y0) / length) * width) / 2,
+    ny = (((x1 - x0) / length) * width) / 2;
+  return [
+    [x0 + nx, y0 + ny],
+    [x1 + nx, y1 + ny],
+    [x1 - nx, y1 - ny],
+    [x0 - nx, y0 - ny],
+  ];
 }
 
 /**
@@ -21,14 +27,17 @@ export function lineCorners([[x0, y0], [x1, y1]], width) {
  * inside is a row of trapezoids: their mean widths are the widths half-way down, and the winding number tells which count.
  */
 export function polygonArea(edges, isEvenOdd, column, row) {
-  const [left, top] = [column - 0.5, row - 0.5], [right, bottom] = [left + 1, top + 1];
+  const [left, top] = [column - 0.5, row - 0.5],
+    [right, bottom] = [left + 1, top + 1];
   const inRow = edges.filter(([, y0, , y1]) => Math.max(y0, y1) > top && Math.min(y0, y1) < bottom);
   const inPixel = inRow.filter(([x0, , x1]) => Math.max(x0, x1) >= left && Math.min(x0, x1) <= right);
+  if (inPixel.length === 0) return insideLength(inRow, isEvenOdd, row, left, right);
   const heights = eventHeights(inPixel, [left, right], top, bottom);
   let area = 0;
   for (let index = 1; index < heights.length; index++) {
     const height = heights[index] - heights[index - 1];
-    if (height > 0) area += height * insideLength(inRow, isEvenOdd, (heights[index] + heights[index - 1]) / 2, left, right);
+    if (height > 0)
+      area += height * insideLength(inRow, isEvenOdd, (heights[index] + heights[index - 1]) / 2, left, right);
   }
   return area;
 }
@@ -37,7 +46,9 @@ const xAt = ([x0, y0, x1, y1], y) => x0 + ((y - y0) * (x1 - x0)) / (y1 - y0);
 
 function eventHeights(edges, sides, top, bottom) {
   const heights = [top, bottom];
-  const add = (y) => { if (y > top && y < bottom) heights.push(y); };
+  const add = (y) => {
+    if (y > top && y < bottom) heights.push(y);
+  };
   edges.forEach((edge, index) => {
     const [x0, y0, x1, y1] = edge;
     add(y0);
@@ -76,14 +87,19 @@ function insideLength(edges, isEvenOdd, y, left, right) {
 
 /** The part of a pixel that lies inside of a circle: the integral of its half-chords, between both sides of the pixel. */
 export function circleArea([x, y], radius, column, row) {
-  if (radius === 0) return 0;
+  const distance = Math.hypot(column - x, row - y);
+  // No pixel reaches further than half its diagonal.
+  if (radius === 0 || distance > radius + Math.SQRT1_2) return 0;
+  if (distance < radius - Math.SQRT1_2) return 1;
   const [left, right] = [column - 0.5 - x, column + 0.5 - x].map((side) => Math.min(Math.max(side, -radius), radius));
   const [top, bottom] = [row - 0.5 - y, row + 0.5 - y];
   // Where the rim passes the upper or the lower side of the pixel.
-  const cuts = [top, bottom].filter((side) => Math.abs(side) < radius).flatMap((side) => {
-    const half = Math.sqrt(radius * radius - side * side);
-    return [-half, half];
-  });
+  const cuts = [top, bottom]
+    .filter((side) => Math.abs(side) < radius)
+    .flatMap((side) => {
+      const half = Math.sqrt(radius * radius - side * side);
+      return [-half, half];
+    });
   const ends = [left, ...cuts.filter((cut) => cut > left && cut < right), right].sort((one, other) => one - other);
   let area = 0;
   for (let index = 1; index < ends.length; index++) area += slabArea(radius, ends[index - 1], ends[index], top, bottom);
@@ -92,7 +108,8 @@ export function circleArea([x, y], radius, column, row) {
 
 /** Of a slab in which the rim passes neither the upper nor the lower side. */
 function slabArea(radius, from, to, top, bottom) {
-  const middle = (from + to) / 2, half = Math.sqrt(Math.max(radius * radius - middle * middle, 0));
+  const middle = (from + to) / 2,
+    half = Math.sqrt(Math.max(radius * radius - middle * middle, 0));
   const integral = chordIntegral(radius, to) - chordIntegral(radius, from);
   const upper = -half > top ? -integral : top * (to - from);
   const lower = half < bottom ? integral : bottom * (to - from);
@@ -110,7 +127,6 @@ function byRows(edges) {
   const rows = new Map();
   for (const edge of edges) {
     const [, y0, , y1] = edge;
-    if (y0 === y1) continue;
     for (let row = Math.round(Math.min(y0, y1)); row <= Math.round(Math.max(y0, y1)); row++) {
       if (!rows.has(row)) rows.set(row, []);
       rows.get(row).push(edge);
@@ -126,10 +142,12 @@ export function areaOf(item, flattened) {
     const radius = Math.hypot(x1 - x0, y1 - y0);
     return (column, row) => circleArea([x0, y0], radius, column, row);
   }
-  const edges = item.kind === "text" ? flattened
-    : contourEdges(item.kind === "line" ? lineCorners(item.points, item.size) : item.points);
+  const edges =
+    item.kind === "text"
+      ? flattened
+      : contourEdges(item.kind === "line" ? lineCorners(item.points, item.size) : item.points);
   const rows = byRows(edges);
-  return (column, row) => polygonArea(rows.get(row) ?? [], item.kind === "even_odd", column, row);
+  return (column, row) => (!rows.has(row) ? 0 : polygonArea(rows.get(row), item.kind === "even_odd", column, row));
 }
 
 /** The rms and the largest error of a mask, in 1/255 of a pixel, over the pixels that an edge passes through or that differ. */
@@ -137,7 +155,8 @@ export function errors(mask, area, width, height) {
   let [sum, count, largest] = [0, 0, 0];
   for (let row = 0; row < height; row++) {
     for (let column = 0; column < width; column++) {
-      const exact = 255 * area(column, row), error = Math.abs(mask[row * width + column] - exact);
+      const exact = 255 * area(column, row),
+        error = Math.abs(mask[row * width + column] - exact);
       if ((exact > 1e-6 && exact < 255 - 1e-6) || error > 1e-6) {
         sum += error * error;
         count += 1;

@@ -46,7 +46,9 @@ class App {
 
   select(item, point) {
     if (item === this.state.selected && point === this.state.point) return;
-    this.change((state) => { [state.selected, state.point, state.loupe] = [item, point, null]; });
+    this.change((state) => {
+      [state.selected, state.point, state.loupe] = [item, point, null];
+    });
   }
 
   movePoint(index, position) {

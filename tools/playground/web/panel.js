@@ -29,7 +29,9 @@ export class Panel {
 
   /** Puts the buttons where the points of the selected item are. */
   place() {
-    const { state } = this.app, item = state.items[state.selected], points = item?.points ?? [];
+    const { state } = this.app,
+      item = state.items[state.selected],
+      points = item?.points ?? [];
     while (this.handles.children.length > points.length) this.handles.lastChild.remove();
     while (this.handles.children.length < points.length) this.handles.append(this.handle(this.handles.children.length));
     points.forEach(([x, y], index) => {
@@ -60,31 +62,45 @@ export class Panel {
 
   drag(index, event) {
     const step = event.shiftKey ? 1 : DRAG_STEP;
-    this.app.movePoint(index, this.position(event).map((pixels) => snapped((Math.round((pixels * 256) / step) * step) / 256)));
+    this.app.movePoint(
+      index,
+      this.position(event).map((pixels) => snapped((Math.round((pixels * 256) / step) * step) / 256)),
+    );
   }
 
   key(index, event) {
     const way = direction(event);
     if (!way) return;
     event.preventDefault();
-    const { state } = this.app, step = event.shiftKey ? 16 : Number(document.getElementById("move").value);
+    const { state } = this.app,
+      step = event.shiftKey ? 16 : Number(document.getElementById("move").value);
     const point = state.items[state.selected].points[index];
-    this.app.movePoint(index, point.map((pixels, axis) => pixels + (way[axis] * step) / 256));
+    this.app.movePoint(
+      index,
+      point.map((pixels, axis) => pixels + (way[axis] * step) / 256),
+    );
   }
 
   /** Where the pointer is, in pixels of the panel. */
   position(event) {
     const box = this.canvas.getBoundingClientRect();
-    return [((event.clientX - box.left) / box.width) * WIDTH - 0.5, ((event.clientY - box.top) / box.height) * HEIGHT - 0.5];
+    return [
+      ((event.clientX - box.left) / box.width) * WIDTH - 0.5,
+      ((event.clientY - box.top) / box.height) * HEIGHT - 0.5,
+    ];
   }
 
   /** A click selects the item on top there, or moves the loupe; dragging turns the teapot. */
   press(event) {
-    const { app } = this, start = this.position(event), { turn, tilt } = app.state;
+    const { app } = this,
+      start = this.position(event),
+      { turn, tilt } = app.state;
     const [column, row] = start.map(Math.round);
     const item = app.itemAt(column, row);
     if (item >= 0) app.select(item, 0);
-    app.change((state) => { state.loupe = app.loupeAround([column, row]); });
+    app.change((state) => {
+      state.loupe = app.loupeAround([column, row]);
+    });
     if (item >= 0 || app.state.pot === "none") return;
     this.canvas.setPointerCapture(event.pointerId);
     const move = (moved) => {

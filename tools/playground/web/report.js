@@ -18,51 +18,70 @@ function tableRow(cells) {
 
 /** The memory of rows beside that of buffers of the whole panel. */
 export function showMemory({ band, coverageRow, depthRow, frameBuffer, depthBuffer }) {
-  const rows = band + coverageRow + depthRow, buffers = frameBuffer + depthBuffer + coverageRow;
-  document.getElementById("memory-text").textContent = rows < buffers
-    ? `${number(rows)} bytes instead of ${number(buffers)}: ${(buffers / rows).toFixed(rows * 10 < buffers ? 0 : 1)} times less.`
-    : `${number(rows)} bytes: with a band of the whole panel, nothing is saved.`;
+  const rows = band + coverageRow + depthRow,
+    buffers = frameBuffer + depthBuffer + coverageRow;
+  document.getElementById("memory-text").textContent =
+    rows < buffers
+      ? `${number(rows)} bytes instead of ${number(buffers)}: ${(buffers / rows).toFixed(rows * 10 < buffers ? 0 : 1)} times less.`
+      : `${number(rows)} bytes: with a band of the whole panel, nothing is saved.`;
   const bars = document.getElementById("memory-bars");
-  bars.replaceChildren(...[["rows", rows], ["buffers", buffers]].map(([name, bytes]) => {
-    const bar = document.createElement("div");
-    bar.className = `memory-bar ${name}`;
-    bar.style.width = `${Math.max((100 * bytes) / Math.max(rows, buffers), 0.4)}%`;
-    return bar;
-  }));
-  document.querySelector("#memory-table tbody").replaceChildren(
-    tableRow(["Colours", number(band), number(frameBuffer)]),
-    tableRow(["Depths", number(depthRow), number(depthBuffer)]),
-    tableRow(["Coverage", number(coverageRow), number(coverageRow)]),
-    tableRow(["All", number(rows), number(buffers)]),
+  bars.replaceChildren(
+    ...[
+      ["Rows", rows],
+      ["Buffers", buffers],
+    ].flatMap(([title, bytes]) => {
+      const [label, bar] = ["span", "span"].map((name) => document.createElement(name));
+      label.textContent = title;
+      bar.className = `bytes ${title.toLowerCase()}`;
+      bar.style.width = `${Math.max((100 * bytes) / Math.max(rows, buffers), 0.4)}%`;
+      return [label, bar];
+    }),
   );
+  document
+    .querySelector("#memory-table tbody")
+    .replaceChildren(
+      tableRow(["Colours", number(band), number(frameBuffer)]),
+      tableRow(["Depths", number(depthRow), number(depthBuffer)]),
+      tableRow(["Coverage", number(coverageRow), number(coverageRow)]),
+      tableRow(["All", number(rows), number(buffers)]),
+    );
 }
 
-/** The counts of what stands in a preset as it is here. */
+/** The counts of what a scene of the list has as it is here. */
 export function showCounts(app) {
-  const { state, data } = app, { counts } = data;
+  const { state, data } = app,
+    { figures, chip, counted } = data.counts;
+  const empty = figures[`${data.emptyCount}.draw`];
   const method = METHODS.find(([name]) => name === state.method)[1];
   document.getElementById("counts-text").textContent =
-    `Counted on ${counts.chip} on ${counts.counted}, in bands of one row of RGB565, preparing included: ${method}. ` +
-    "Items that are not as a scene of the list has them were not counted.";
-  const rows = state.items.map((item) => {
-    const counted = countOf(app, item);
-    return tableRow([app.title(item), ...(counted ? counted.map(number) : ["–", "–"])]);
-  });
+    `A frame in bands of one row of RGB565, items by “${method}”, counted on ${chip} on ${counted}. Cycles are estimated. ` +
+    "An item that no scene of the list has was not counted.";
+  const less = (whole) => whole?.map((count, index) => count - empty[index]);
+  const rows = [["An empty frame", empty]];
   if (state.pot !== "none") {
-    const counted = counts.figures[`playground.pot.${state.pot}`];
-    const look = POTS.find(([name]) => name === state.pot)[1];
-    rows.unshift(tableRow([`Teapot, ${look}`, ...(counted ? counted.map(number) : ["–", "–"])]));
+    rows.push([
+      `Teapot, ${POTS.find(([name]) => name === state.pot)[1]}`,
+      less(figures[`${data.potCount}.${state.pot}`]),
+    ]);
   }
-  if (rows.length === 0) rows.push(tableRow(["Nothing", "", ""]));
-  document.querySelector("#counts-table tbody").replaceChildren(...rows);
+  rows.push(...state.items.map((item) => [app.title(item), less(figures[`${nameOf(data, item)}.${state.method}`])]));
+  const all =
+    rows.every(([, counts]) => counts) &&
+    rows.map(([, counts]) => counts).reduce((sum, counts) => sum.map((one, index) => one + counts[index]));
+  rows.push(["All", all]);
+  document
+    .querySelector("#counts-table tbody")
+    .replaceChildren(
+      ...rows.map(([title, counts]) => tableRow([title, ...(counts ? counts.map(number) : ["–", "–"])])),
+    );
 }
 
-/** Instructions and cycles of an item, if a preset has it. */
-function countOf(app, item) {
+/** What an item is called in the counts, if a scene of the list has it. */
+function nameOf(data, item) {
   const written = writeItem(item);
-  for (const [preset, { address }] of app.data.presets.entries()) {
+  for (const { address, counts } of data.presets) {
     const index = read(address).items.findIndex((other) => writeItem(other) === written);
-    if (index >= 0) return app.data.counts.figures[`playground.${preset}.${index}.${app.state.method}`];
+    if (index >= 0) return counts[index];
   }
   return undefined;
 }

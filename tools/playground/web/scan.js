@@ -17,7 +17,7 @@ export class Scan {
     on("step", "click", () => this.step());
     on("whole", "click", () => this.stop());
     on("position", "input", ({ target }) => {
-      this.pause();
+      this.playing = false;
       this.drawn = Number(target.value);
       app.show();
     });
@@ -74,7 +74,8 @@ export class Scan {
     const position = document.getElementById("position");
     position.max = this.bands;
     position.value = this.drawn ?? this.bands;
-    document.getElementById("band-number").textContent = this.drawn === null ? `all ${this.bands}` : `${this.drawn} of ${this.bands}`;
+    document.getElementById("band-number").textContent =
+      this.drawn === null ? `all ${this.bands}` : `${this.drawn} of ${this.bands}`;
     const top = Math.max(Math.min(this.drawn ?? 1, this.bands) - 1, 0) * this.rows;
     const rows = Math.min(this.rows, HEIGHT - top);
     this.showMarker(top, rows);
@@ -93,12 +94,18 @@ export class Scan {
     const figure = document.getElementById("band-figure");
     figure.hidden = this.drawn === null || this.drawn === 0 || this.rows === HEIGHT;
     if (figure.hidden) return;
-    const canvas = document.getElementById("band-rows"), pixels = this.app.engine.pixels();
+    const canvas = document.getElementById("band-rows"),
+      pixels = this.app.engine.pixels();
     canvas.height = rows;
     canvas.style.height = `${Math.max(Math.min(12 * rows, 96), 12)}px`;
-    const image = new ImageData(new Uint8ClampedArray(pixels.subarray(4 * WIDTH * top, 4 * WIDTH * (top + rows))), WIDTH, rows);
+    const image = new ImageData(
+      new Uint8ClampedArray(pixels.subarray(4 * WIDTH * top, 4 * WIDTH * (top + rows))),
+      WIDTH,
+      rows,
+    );
     canvas.getContext("2d").putImageData(image, 0, 0);
-    const last = top + rows - 1, { band } = this.app.engine.footprint();
+    const last = top + rows - 1,
+      { band } = this.app.engine.footprint();
     document.getElementById("band-text").textContent =
       `${last === top ? `Row ${top}` : `Rows ${top} to ${last}`}: all of the picture that is in memory, ${band.toLocaleString("en")} bytes`;
   }

@@ -68,9 +68,18 @@ export const isPolygon = (item) => item.kind === "polygon" || item.kind === "eve
 
 export function emptyState() {
   return {
-    pot: "none", turn: 496, tilt: 504, method: "inside_area", precision: "sub8", rows: 1, depth: "rgb565", items: [],
+    pot: "none",
+    turn: 496,
+    tilt: 504,
+    method: "inside_area",
+    precision: "sub8",
+    rows: 1,
+    depth: "rgb565",
+    items: [],
     // What the picture does not depend on: the selected item and point, and the upper left pixel of the loupe.
-    selected: 0, point: 0, loupe: null,
+    selected: 0,
+    point: 0,
+    loupe: null,
   };
 }
 
@@ -88,17 +97,30 @@ export function read(address) {
 }
 
 function set(state, key, value) {
-  const choose = (choices) => { if (names(choices).includes(value)) state[key] = value; };
-  const whole = (most, apply) => { if (/^\d{1,9}$/.test(value)) state[key] = apply(Number(value), most); };
+  const choose = (choices) => {
+    if (names(choices).includes(value)) state[key] = value;
+  };
+  const whole = (most, apply) => {
+    if (/^\d{1,9}$/.test(value)) state[key] = apply(Number(value), most);
+  };
   switch (key) {
-    case "pot": return choose(POTS);
-    case "method": return choose(METHODS);
-    case "precision": return choose(PRECISIONS);
-    case "depth": return choose(DEPTHS);
-    case "turn": case "tilt": return whole(512, (number, turn) => number % turn);
-    case "rows": return whole(16, Math.min);
-    case "selected": return whole(MOST_ITEMS - 1, Math.min);
-    case "point": return whole(MOST_POINTS - 1, Math.min);
+    case "pot":
+      return choose(POTS);
+    case "method":
+      return choose(METHODS);
+    case "precision":
+      return choose(PRECISIONS);
+    case "depth":
+      return choose(DEPTHS);
+    case "turn":
+    case "tilt":
+      return whole(512, (number, turn) => number % turn);
+    case "rows":
+      return whole(16, Math.min);
+    case "selected":
+      return whole(MOST_ITEMS - 1, Math.min);
+    case "point":
+      return whole(MOST_POINTS - 1, Math.min);
     case "loupe": {
       const position = readPoint(value);
       if (position) state.loupe = position.map(Math.round);
@@ -116,18 +138,30 @@ function readItem(value) {
   if (!(kind in NEEDED_POINTS) || !/^[0-9a-f]{6}$/i.test(color) || !isDecimal(size)) return null;
   const read = points.split(";").map(readPoint).filter(Boolean).slice(0, MOST_POINTS);
   if (read.length < NEEDED_POINTS[kind]) return null;
-  return { kind, color: color.toLowerCase(), size: clamp(snapped(Number(size)), 0, LARGEST), points: read, text: decode(text) };
+  return {
+    kind,
+    color: color.toLowerCase(),
+    size: clamp(snapped(Number(size)), 0, LARGEST),
+    points: read,
+    text: decode(text),
+  };
 }
 
 const isDecimal = (text) => /^-?\d{1,4}(\.\d{0,8})?$/.test(text ?? "");
 
 function readPoint(text) {
   const [x, y] = text.split(":");
-  return isDecimal(x) && isDecimal(y) ? [x, y].map((number) => clamp(snapped(Number(number)), -FARTHEST, FARTHEST)) : null;
+  return isDecimal(x) && isDecimal(y)
+    ? [x, y].map((number) => clamp(snapped(Number(number)), -FARTHEST, FARTHEST))
+    : null;
 }
 
 function decode(text) {
-  try { return printable(decodeURIComponent(text)); } catch { return ""; }
+  try {
+    return printable(decodeURIComponent(text));
+  } catch {
+    return "";
+  }
 }
 
 /** The letters of a text that the font has. */

@@ -1,10 +1,11 @@
 //! The methods of antialiasing by their names: each is linked once, for all colours.
 
+use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
-    band::Span,
+    band::{Band, Span},
     coverage::{CentreSample, CoverageMethod, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
     draw::AntialiasedPolygon,
-    geometry::{TooSmall, Window},
+    geometry::{DrawError, InputError, TooSmall, Window},
 };
 
 use crate::{
@@ -38,6 +39,35 @@ fn cover_by<T: CoverageMethod>(method: &T, polygon: &Polygon, window: &Window, e
     // No method takes more than a cell beyond the columns.
     let mut row_memory = [T::Cell::default(); WIDTH + 2];
     polygon.cover(method, window, &mut row_memory, emit)
+}
+
+/// Blends a polygon over a band by a method, without a function that is called for each span.
+///
+/// # Errors
+/// None, as there is memory for a row of the panel.
+pub fn draw(polygon: &Polygon, method: Method, color: Rgb565, band: &mut Band<'_, Rgb565>) -> Result<(), InputError> {
+    match method {
+        Method::None => draw_by(&CentreSample, polygon, color, band),
+        Method::Rooks4 => draw_by(&Rooks::<4>, polygon, color, band),
+        Method::Rooks16 => draw_by(&Rooks::<16>, polygon, color, band),
+        Method::Grid4 => draw_by(&Grid::<4>::default(), polygon, color, band),
+        Method::SubScanlines4 => draw_by(&SubScanlines::<4>, polygon, color, band),
+        Method::SignedArea => draw_by(&SignedArea, polygon, color, band),
+        Method::InsideArea => draw_by(&InsideArea, polygon, color, band),
+    }
+}
+
+fn draw_by<T: CoverageMethod>(
+    method: &T,
+    polygon: &Polygon,
+    color: Rgb565,
+    band: &mut Band<'_, Rgb565>,
+) -> Result<(), InputError> {
+    let mut row_memory = [T::Cell::default(); WIDTH + 2];
+    match polygon.draw(method, color, band, &mut row_memory) {
+        Ok(()) | Err(DrawError::Target(_) | DrawError::OutOfDomain { .. }) => Ok(()),
+        Err(DrawError::TooSmall(too_small)) => Err(InputError::TooSmall(too_small)),
+    }
 }
 
 /// The bytes that a method takes for a row of pixels, beside the row itself.

@@ -5,7 +5,10 @@ extern crate std;
 use core::convert::Infallible;
 use std::{boxed::Box, format, string::String, vec, vec::Vec};
 
-use embedded_graphics::{pixelcolor::Rgb888, prelude::*};
+use embedded_graphics::{
+    pixelcolor::{Rgb565, Rgb888},
+    prelude::*,
+};
 use zrow::{
     band::{Band, LittleEndian},
     draw::{DrawAntialiased, DrawOn, FillRule, Polygon, PrimitiveStyle, SubEllipse, SubLine},
@@ -145,6 +148,25 @@ fn a_mask_is_the_coverage_of_one_item() {
     assert!(mask.iter().all(|coverage| *coverage == 0));
 }
 
+/// What is counted on the chips is what the page shows.
+#[test]
+fn drawing_directly_draws_the_same() {
+    let mut playground = Box::new(Playground::new());
+    for preset in PRESETS {
+        for method in Method::ALL {
+            let address = format!("{}&method={}&depth=rgb565", preset.address, method.name());
+            playground.prepare(&address).unwrap();
+            let [mut drawn, mut directly] = [const { Vec::<u16>::new() }; 2];
+            let keep = |words: &mut Vec<u16>, band: &Band<'_, Rgb565>| words.extend_from_slice(band.words());
+            let sink = |band: Band<'_, Rgb565, LittleEndian>| Ok::<_, Infallible>(keep(&mut drawn, &band));
+            playground.draw::<Rgb565, _>(sink).unwrap();
+            let mut sink = |band: Band<'_, Rgb565, LittleEndian>| Ok::<_, Infallible>(keep(&mut directly, &band));
+            playground.draw_directly(&mut sink).unwrap();
+            assert!(drawn == directly, "{}, {method:?}", preset.title);
+        }
+    }
+}
+
 #[test]
 fn presets_are_read_whole() {
     let mut playground = Box::new(Playground::new());
@@ -152,6 +174,7 @@ fn presets_are_read_whole() {
         playground.prepare(preset.address).unwrap();
         let items = preset.address.matches("&item=").count();
         assert_eq!(playground.state().items.len(), items, "{}", preset.title);
+        assert_eq!(preset.counts.len(), items, "{}", preset.title);
     }
 }
 
