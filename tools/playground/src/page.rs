@@ -3,7 +3,7 @@
 use anyhow::{Context, ensure};
 use base64::{Engine as _, engine::general_purpose::STANDARD};
 use serde_json::json;
-use zrow_playground_scene::{EMPTY_COUNT, POT_COUNT, PRESETS};
+use zrow_playground_scene::{COUNTED_ROWS, EMPTY_COUNT, POT_COUNT, PRESETS};
 
 use crate::counts;
 
@@ -34,6 +34,7 @@ pub fn assemble(compressed: &[u8]) -> anyhow::Result<String> {
     let data = json!({
         "presets": presets,
         "counts": counts::read()?,
+        "countedRows": COUNTED_ROWS,
         "emptyCount": EMPTY_COUNT,
         "potCount": POT_COUNT,
         "program": STANDARD.encode(compressed),

@@ -17,6 +17,7 @@ import {
   picture,
   printable,
   read,
+  rowsTitle,
   snapped,
 } from "./state.js";
 
@@ -28,8 +29,6 @@ function option(value, text) {
   option.textContent = text;
   return option;
 }
-
-const rowsTitle = (rows) => (rows === 0 ? `all ${HEIGHT} rows` : rows === 1 ? "1 row" : `${rows} rows`);
 
 /** What a new item of a kind is. */
 function newItem(kind) {

@@ -1,6 +1,6 @@
 // What the picture takes: bytes of memory, and what was counted on the chip.
 
-import { METHODS, POTS, read, writeItem } from "./state.js";
+import { HEIGHT, METHODS, POTS, read, rowsTitle, writeItem } from "./state.js";
 
 const number = (value) => Math.round(value).toLocaleString("en");
 
@@ -51,20 +51,19 @@ export function showMemory({ band, coverageRow, depthRow, frameBuffer, depthBuff
 export function showCounts(app) {
   const { state, data } = app,
     { figures, chip, counted } = data.counts;
-  const empty = figures[`${data.emptyCount}.draw`];
+  const rowsCounted = heightCounted(data, state.rows);
+  const figure = (count, name) => figures[`${count}.${name}.${rowsCounted}`];
+  const empty = figure(data.emptyCount, "draw");
   const method = METHODS.find(([name]) => name === state.method)[1];
   document.getElementById("counts-text").textContent =
-    `A frame in bands of one row of RGB565, items by “${method}”, counted on ${chip} on ${counted}. Cycles are estimated. ` +
-    "An item that no scene of the list has was not counted.";
+    `A frame of RGB565 in bands of ${rowsTitle(rowsCounted)}, items by “${method}”, drawn anew in each band, counted on ` +
+    `${chip} on ${counted}. Cycles are estimated. An item that no scene of the list has was not counted.`;
   const less = (whole) => whole?.map((count, index) => count - empty[index]);
   const rows = [["An empty frame", empty]];
   if (state.pot !== "none") {
-    rows.push([
-      `Teapot, ${POTS.find(([name]) => name === state.pot)[1]}`,
-      less(figures[`${data.potCount}.${state.pot}`]),
-    ]);
+    rows.push([`Teapot, ${POTS.find(([name]) => name === state.pot)[1]}`, less(figure(data.potCount, state.pot))]);
   }
-  rows.push(...state.items.map((item) => [app.title(item), less(figures[`${nameOf(data, item)}.${state.method}`])]));
+  rows.push(...state.items.map((item) => [app.title(item), less(figure(nameOf(data, item), state.method))]));
   const all =
     rows.every(([, counts]) => counts) &&
     rows.map(([, counts]) => counts).reduce((sum, counts) => sum.map((one, index) => one + counts[index]));
@@ -74,6 +73,14 @@ export function showCounts(app) {
     .replaceChildren(
       ...rows.map(([title, counts]) => tableRow([title, ...(counts ? counts.map(number) : ["–", "–"])])),
     );
+}
+
+/** The largest height of bands that was counted and is not larger than a height; 0 stands for all rows. */
+function heightCounted({ countedRows }, rows) {
+  const height = (rows) => rows || HEIGHT;
+  return countedRows.reduce((best, other) =>
+    height(other) <= height(rows) && height(other) > height(best) ? other : best,
+  );
 }
 
 /** What an item is called in the counts, if a scene of the list has it. */

@@ -49,6 +49,9 @@ export const KINDS = [
 /** Rows of a band; 0 stands for all. */
 export const ROWS = [1, 2, 3, 4, 6, 8, 12, 16, 0];
 
+/** What a height of bands is called. */
+export const rowsTitle = (rows) => (rows === 0 ? `all ${HEIGHT} rows` : rows === 1 ? "1 row" : `${rows} rows`);
+
 const NEEDED_POINTS = { polygon: 3, even_odd: 3, line: 2, circle: 2, text: 1 };
 /** The farthest coordinate of a point, in pixels. */
 export const FARTHEST = 1280;

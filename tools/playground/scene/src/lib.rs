@@ -22,5 +22,5 @@ mod state;
 pub use coverage::bytes_per_row;
 pub use panel_color::PanelColor;
 pub use playground::{AREA, BACKGROUND, EDGES, Footprint, HEIGHT, Playground, WIDTH};
-pub use presets::{EMPTY_COUNT, POT_COUNT, PRESETS, Preset};
+pub use presets::{COUNTED_ROWS, EMPTY_COUNT, POT_COUNT, PRESETS, Preset};
 pub use state::{Depth, Item, Kind, Method, Pot, Precision, State};

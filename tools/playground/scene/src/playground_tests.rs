@@ -157,10 +157,15 @@ fn drawing_directly_draws_the_same() {
             let address = format!("{}&method={}&depth=rgb565", preset.address, method.name());
             playground.prepare(&address).unwrap();
             let [mut drawn, mut directly] = [const { Vec::<u16>::new() }; 2];
-            let keep = |words: &mut Vec<u16>, band: &Band<'_, Rgb565>| words.extend_from_slice(band.words());
-            let sink = |band: Band<'_, Rgb565, LittleEndian>| Ok::<_, Infallible>(keep(&mut drawn, &band));
+            let sink = |band: Band<'_, Rgb565, LittleEndian>| {
+                drawn.extend_from_slice(band.words());
+                Ok::<_, Infallible>(())
+            };
             playground.draw::<Rgb565, _>(sink).unwrap();
-            let mut sink = |band: Band<'_, Rgb565, LittleEndian>| Ok::<_, Infallible>(keep(&mut directly, &band));
+            let mut sink = |band: Band<'_, Rgb565, LittleEndian>| {
+                directly.extend_from_slice(band.words());
+                Ok::<_, Infallible>(())
+            };
             playground.draw_directly(&mut sink).unwrap();
             assert!(drawn == directly, "{}, {method:?}", preset.title);
         }

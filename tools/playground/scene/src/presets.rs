@@ -11,6 +11,9 @@ pub struct Preset {
     pub counts: &'static [&'static str],
 }
 
+/// The heights of bands that `measure` counts, in rows; 0 stands for all rows. Its variants are called `NAME.ROWS`, by the name of
+/// the method or the look.
+pub const COUNTED_ROWS: &[u32] = &[1, 16, 0];
 /// What `measure` calls the counts of a frame without a teapot and items.
 pub const EMPTY_COUNT: &str = "playground.empty";
 /// What `measure` calls the counts of a teapot without items, of which the look is a variant.

@@ -1,21 +1,21 @@
-//! Counts the items of the playground's scenes: a frame of 240 x 320 pixels with one of them, in bands of one row, by each
-//! method of antialiasing, its edges set up anew.
+//! Counts the items of the playground's scenes: a frame of 240 x 320 pixels with one of them, by each method of
+//! antialiasing, in bands of some heights, its edges set up anew.
 #![no_std]
 #![no_main]
 
-use core::{convert::Infallible, hint::black_box};
+use core::{convert::Infallible, fmt::Write as _, hint::black_box};
 
 use cortex_m::Peripherals;
 use cortex_m_rt::entry;
 use embedded_graphics::pixelcolor::Rgb565;
-use heapless::Vec;
+use heapless::{String, Vec};
 use zrow::band::Band;
 use zrow_measure_firmware::{
     report,
     run::{Canvas, Checksum, Runner},
     stopwatch::Stopwatch,
 };
-use zrow_playground_scene::{EMPTY_COUNT, Item, Method, POT_COUNT, PRESETS, Playground, Pot, State};
+use zrow_playground_scene::{COUNTED_ROWS, EMPTY_COUNT, Item, Method, POT_COUNT, PRESETS, Playground, Pot, State};
 
 /// Draws frames; its checksum is that of the last one.
 struct Frames(Playground);
@@ -95,10 +95,21 @@ fn state(item: Option<&Item>, method: Method, pot: Pot) -> State {
     }
 }
 
+/// Counts a frame in bands of all heights.
 fn count_frame(runner: &mut Runner<'_>, frames: &mut Frames, name: &str, variant: &str, state: State) {
-    if runner.wants(name) {
-        frames.0.take(state);
-        runner.count(name, variant, frames, &[()], |frames, ()| {
+    if !runner.wants(name) {
+        return;
+    }
+    for rows in COUNTED_ROWS {
+        let mut variant_and_rows = String::<32>::new();
+        if write!(variant_and_rows, "{variant}.{rows}").is_err() {
+            report::exit(false);
+        }
+        frames.0.take(State {
+            rows: *rows,
+            ..state.clone()
+        });
+        runner.count(name, &variant_and_rows, frames, &[()], |frames, ()| {
             frames.draw(|words| {
                 black_box(words);
             });
