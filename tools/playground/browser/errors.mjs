@@ -17,13 +17,13 @@ export async function checkErrors(page, url) {
   const presets = await page.locator("#preset option:not([value=own])").count();
   for (let preset = 0; preset < presets; preset++) {
     await page.selectOption("#preset", String(preset));
-    for (const method of ["inside_area", "none"]) {
+    for (const method of ["exact", "inside_area", "none"]) {
       await page.selectOption("#method", method);
       for (const item of await page.locator("#items input").all()) {
         await item.check();
         const { title, rms, largest } = await told(page);
         const limit = title === "Circle" ? FLATTENED : ROUNDED;
-        if (method === "inside_area") assert.ok(largest < limit, `${title} of preset ${preset}: ${largest}`);
+        if (method !== "none") assert.ok(largest < limit, `${title} of preset ${preset}: ${largest}`);
         else assert.ok(rms > UNMIXED, `${title} of preset ${preset} without antialiasing: ${rms}`);
         checked += 1;
       }

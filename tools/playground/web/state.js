@@ -14,8 +14,9 @@ export const METHODS = [
   ["rooks_16", "16 samples, n-rooks"],
   ["grid_4", "16 samples, grid of 4 × 4"],
   ["sub_scanlines_4", "4 sub-scanlines, exact in x"],
-  ["signed_area", "Exact area"],
+  ["signed_area", "Exact area, no crossings"],
   ["inside_area", "Exact area, with crossings"],
+  ["exact", "Exact area, cheaper of both"],
 ];
 export const PRECISIONS = [
   ["whole", "whole pixels"],
@@ -74,7 +75,7 @@ export function emptyState() {
     pot: "none",
     turn: 496,
     tilt: 504,
-    method: "inside_area",
+    method: "exact",
     precision: "sub8",
     rows: 1,
     depth: "rgb565",

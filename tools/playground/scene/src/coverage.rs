@@ -3,8 +3,8 @@
 use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::{Band, Span},
-    coverage::{CentreSample, CoverageMethod, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
-    draw::AntialiasedPolygon,
+    coverage::{AnyCoverage, CentreSample, CoverageMethod, Grid, InsideArea, Rooks, SignedArea, SubScanlines},
+    draw::{AntialiasedPolygon, SubOutline},
     geometry::{DrawError, InputError, TooSmall, Window},
 };
 
@@ -18,6 +18,27 @@ pub type Emit<'e> = &'e mut dyn FnMut(Span, u8) -> Result<(), TooSmall>;
 /// An item, prepared.
 pub type Polygon = AntialiasedPolygon<EDGES, ACTIVE>;
 
+/// A polygon, and the method that is taken for it.
+#[derive(Debug)]
+pub struct ReadyItem {
+    /// Its edges.
+    pub polygon: Polygon,
+    /// That of the state, or the one that is chosen for the polygon.
+    pub method: Method,
+}
+
+/// The method that is taken for a polygon, where one is asked for: its own choice stands for [`Method::Exact`].
+pub fn choose(method: Method, polygon: &Polygon, outline: &impl SubOutline) -> Method {
+    if method != Method::Exact {
+        return method;
+    }
+    match polygon.exact_method(outline) {
+        AnyCoverage::CentreSample => Method::None,
+        AnyCoverage::SignedArea => Method::SignedArea,
+        AnyCoverage::InsideArea => Method::InsideArea,
+    }
+}
+
 /// Hands over the coverage of a polygon in a window by a method.
 ///
 /// # Errors
@@ -30,7 +51,7 @@ pub fn cover(polygon: &Polygon, method: Method, window: &Window, emit: Emit<'_>)
         Method::Grid4 => cover_by(&Grid::<4>::default(), polygon, window, emit),
         Method::SubScanlines4 => cover_by(&SubScanlines::<4>, polygon, window, emit),
         Method::SignedArea => cover_by(&SignedArea, polygon, window, emit),
-        Method::InsideArea => cover_by(&InsideArea, polygon, window, emit),
+        Method::InsideArea | Method::Exact => cover_by(&InsideArea, polygon, window, emit),
     }
 }
 
@@ -53,7 +74,7 @@ pub fn draw(polygon: &Polygon, method: Method, color: Rgb565, band: &mut Band<'_
         Method::Grid4 => draw_by(&Grid::<4>::default(), polygon, color, band),
         Method::SubScanlines4 => draw_by(&SubScanlines::<4>, polygon, color, band),
         Method::SignedArea => draw_by(&SignedArea, polygon, color, band),
-        Method::InsideArea => draw_by(&InsideArea, polygon, color, band),
+        Method::InsideArea | Method::Exact => draw_by(&InsideArea, polygon, color, band),
     }
 }
 
@@ -82,7 +103,7 @@ pub fn bytes_per_row(method: Method, width: usize) -> usize {
         Method::Grid4 => of(&Grid::<4>::default()),
         Method::SubScanlines4 => of(&SubScanlines::<4>),
         Method::SignedArea => of(&SignedArea),
-        Method::InsideArea => of(&InsideArea),
+        Method::InsideArea | Method::Exact => of(&InsideArea),
     };
     bytes(width)
 }

@@ -76,11 +76,11 @@ impl ItemOutline<'_> {
         Ok(())
     }
 
-    /// Texts begin at whole pixels.
-    fn text(&self, edge: Edges<'_>) {
+    /// Calls with the text, which begins at whole pixels.
+    fn with_text<R>(&self, call: impl FnOnce(&Text<'_, OutlineTextStyle<Gray8>>) -> R) -> R {
         let [x, y] = self.point(0).map(|units| Precision::Whole.rounded(units) / 256);
         let style = OutlineTextStyle::new(&LETTERS, U24F8::from_bits(self.item.size.unsigned_abs()), Gray8::WHITE);
-        Text::new(&self.item.text, Point::new(x, y), style).edges(edge);
+        call(&Text::new(&self.item.text, Point::new(x, y), style))
     }
 
     fn corner(&self, index: usize) -> Result<SubPoint<Sub8>, InputError> {
@@ -99,7 +99,7 @@ impl SubOutline for ItemOutline<'_> {
                 Ok(())
             }
             Kind::Text => {
-                self.text(edge);
+                self.with_text(|text| text.edges(edge));
                 Ok(())
             }
         };
@@ -107,5 +107,14 @@ impl SubOutline for ItemOutline<'_> {
             result.is_ok(),
             "what an address may name lies in the domain of the library"
         );
+    }
+
+    fn is_simple(&self) -> bool {
+        match self.item.kind {
+            Kind::Line | Kind::Circle => true,
+            Kind::Text => self.with_text(|text| text.is_simple()),
+            // The library looks whether edges cross.
+            Kind::Polygon | Kind::EvenOdd => false,
+        }
     }
 }

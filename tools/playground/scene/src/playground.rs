@@ -14,11 +14,11 @@ use zrow::{
 };
 
 use crate::{
-    coverage::{self, Polygon, bytes_per_row},
+    coverage::{self, ReadyItem, bytes_per_row},
     outline::ItemOutline,
     panel_color::{DrawnColor, PanelColor},
     pot,
-    state::{Depth, ITEMS, Item, Pot, State},
+    state::{Depth, ITEMS, Item, Method, Pot, State},
 };
 
 /// Columns of the panel.
@@ -46,7 +46,7 @@ const WINDOW: Window = Window {
 pub struct Playground {
     state: State,
     /// One for each item.
-    polygons: Vec<Polygon, ITEMS>,
+    ready: Vec<ReadyItem, ITEMS>,
     /// A band of all rows in the largest words.
     words: [u32; WIDTH * HEIGHT],
     /// A band of all rows in which the teapot is drawn.
@@ -64,7 +64,7 @@ impl Playground {
     pub const fn new() -> Self {
         Self {
             state: State::ZERO,
-            polygons: Vec::new(),
+            ready: Vec::new(),
             words: [0; WIDTH * HEIGHT],
             pot_words: [0; WIDTH * HEIGHT],
         }
@@ -82,7 +82,7 @@ impl Playground {
     /// Takes a state over, of which nothing is set up yet.
     pub fn take(&mut self, state: State) {
         self.state = state;
-        self.polygons.clear();
+        self.ready.clear();
     }
 
     /// Sets the edges of all items up.
@@ -90,13 +90,19 @@ impl Playground {
     /// # Errors
     /// An item has more edges than there is room for. The items before it are ready.
     pub fn set_up(&mut self) -> Result<(), InputError> {
-        self.polygons.clear();
+        self.ready.clear();
         for item in &self.state.items {
-            // There is room for as many polygons as items.
-            let _ = self.polygons.push(AntialiasedPolygon::empty());
-            let Some(polygon) = self.polygons.last_mut() else { break };
+            // There is room for as many as items.
+            let _ = self.ready.push(ReadyItem {
+                polygon: AntialiasedPolygon::empty(),
+                method: self.state.method,
+            });
+            let Some(ReadyItem { polygon, method }) = self.ready.last_mut() else {
+                break;
+            };
             let outline = outline(item, &self.state);
             polygon.set_up(&outline, outline.fill_rule())?;
+            *method = coverage::choose(*method, polygon, &outline);
         }
         Ok(())
     }
@@ -104,6 +110,11 @@ impl Playground {
     /// The state that is prepared.
     pub const fn state(&self) -> &State {
         &self.state
+    }
+
+    /// The method that is taken for an item.
+    pub fn method_of(&self, item: usize) -> Option<Method> {
+        self.ready.get(item).map(|ready| ready.method)
     }
 
     /// Draws the state on a panel of a colour.
@@ -128,7 +139,7 @@ impl Playground {
     ) -> Result<(), LoopError<S::Error, InputError>> {
         let Self {
             state,
-            polygons,
+            ready,
             pot_words,
             ..
         } = self;
@@ -137,8 +148,9 @@ impl Playground {
         let prepared = pot::with(state, &mut |pot| {
             drawn = bands.draw(pot_words, sink, |band| {
                 pot(band);
-                let mut items = state.items.iter().zip(&*polygons);
-                items.try_for_each(|(item, polygon)| coverage::draw(polygon, state.method, item.color.into(), band))
+                let mut items = state.items.iter().zip(&*ready);
+                items
+                    .try_for_each(|(item, ready)| coverage::draw(&ready.polygon, ready.method, item.color.into(), band))
             });
         });
         prepared.map_err(LoopError::Scene)?;
@@ -152,7 +164,7 @@ impl Playground {
     ) -> Result<(), LoopError<S::Error, InputError>> {
         let Self {
             state,
-            polygons,
+            ready,
             words,
             pot_words,
         } = self;
@@ -165,7 +177,7 @@ impl Playground {
                 if state.pot != Pot::None {
                     pot::convert(pot, pot_words, band);
                 }
-                draw_items(state, polygons, band)
+                draw_items(state, ready, band)
             });
         });
         prepared.map_err(LoopError::Scene)?;
@@ -175,9 +187,11 @@ impl Playground {
     /// Writes the coverage of each pixel of the panel by one item into a mask; nothing where there is no such item.
     pub fn cover(&self, item: usize, mask: &mut [u8; WIDTH * HEIGHT]) {
         mask.fill(0);
-        let Some(polygon) = self.polygons.get(item) else { return };
+        let Some(ReadyItem { polygon, method }) = self.ready.get(item) else {
+            return;
+        };
         // No error: there is memory for a row of the panel.
-        let _ = coverage::cover(polygon, self.state.method, &WINDOW, &mut |span, coverage| {
+        let _ = coverage::cover(polygon, *method, &WINDOW, &mut |span, coverage| {
             let pixels = span.start as usize..span.end as usize;
             let row = mask.chunks_exact_mut(WIDTH).nth(span.y as usize);
             if let Some(pixels) = row.and_then(|row| row.get_mut(pixels)) {
@@ -255,11 +269,11 @@ fn outline<'a>(item: &'a Item, state: &State) -> ItemOutline<'a> {
 }
 
 /// Blends all items over a band.
-fn draw_items<C: DrawnColor>(state: &State, polygons: &[Polygon], band: &mut Band<'_, C>) -> Result<(), InputError> {
+fn draw_items<C: DrawnColor>(state: &State, ready: &[ReadyItem], band: &mut Band<'_, C>) -> Result<(), InputError> {
     let window = Window::from(band.bounding_box());
-    for (item, polygon) in state.items.iter().zip(polygons) {
+    for (item, ReadyItem { polygon, method }) in state.items.iter().zip(ready) {
         let color = C::from(item.color);
-        coverage::cover(polygon, state.method, &window, &mut |span, coverage| {
+        coverage::cover(polygon, *method, &window, &mut |span, coverage| {
             let Ok(()) = band.blend_span(span, color, coverage);
             Ok::<_, TooSmall>(())
         })

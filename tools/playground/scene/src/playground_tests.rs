@@ -47,7 +47,7 @@ fn at(x: f32, y: f32) -> SubPoint<Sub8> {
 #[test]
 fn antialiased_shapes_are_those_of_the_library() {
     let mut playground = Box::new(Playground::new());
-    let address = "depth=rgb888&method=inside_area&precision=sub8&rows=3\
+    let address = "depth=rgb888&method=exact&precision=sub8&rows=3\
         &item=circle,ff8000,0,100.25:90.5;140.25:90.5&item=line,2040ff,7.5,20:200.25;215.5:160.75";
     let picture = expected(|band| {
         let mut cells = [0; WIDTH + 1];
@@ -63,6 +63,26 @@ fn antialiased_shapes_are_those_of_the_library() {
             .unwrap();
     });
     assert!(drawn(&mut playground, address) == picture);
+}
+
+/// A star that crosses itself takes the area inside, what does not cross itself the signed area, and a rectangle of whole pixels
+/// centre samples.
+#[test]
+fn the_exact_method_is_the_one_of_the_library() {
+    let mut playground = Box::new(Playground::new());
+    for (item, method) in [
+        (
+            "polygon,ffffff,0,120:40;181.5:250.5;20.25:118.75;219.75:118.75;58.5:250.5",
+            Method::InsideArea,
+        ),
+        ("polygon,ffffff,0,120:40;181.5:250.5;20.25:118.75", Method::SignedArea),
+        ("circle,ffffff,0,100.25:90.5;140.25:90.5", Method::SignedArea),
+        ("text,ffffff,34,22:246,42", Method::SignedArea),
+        ("polygon,ffffff,0,9.5:9.5;29.5:9.5;29.5:19.5;9.5:19.5", Method::None),
+    ] {
+        playground.prepare(&format!("method=exact&item={item}")).unwrap();
+        assert_eq!(playground.method_of(0), Some(method), "{item}");
+    }
 }
 
 #[test]

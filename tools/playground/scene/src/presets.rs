@@ -23,7 +23,7 @@ pub const POT_COUNT: &str = "playground.pot";
 pub const PRESETS: &[Preset] = &[
     Preset {
         title: "Shapes",
-        address: "pot=none&turn=496&tilt=504&method=inside_area&precision=sub8&rows=1&depth=rgb565\
+        address: "pot=none&turn=496&tilt=504&method=exact&precision=sub8&rows=1&depth=rgb565\
             &item=circle,24506e,0,120:118;120:28.5\
             &item=polygon,f2b134,0,120:40;163.25:172.5;50.5:90.25;189.5:90.25;76.75:172.5\
             &item=line,e4572e,7,24.5:298.25;146.25:265.75\
@@ -39,13 +39,13 @@ pub const PRESETS: &[Preset] = &[
     },
     Preset {
         title: "Star, crossing itself",
-        address: "pot=none&turn=496&tilt=504&method=inside_area&precision=sub8&rows=1&depth=rgb565\
+        address: "pot=none&turn=496&tilt=504&method=exact&precision=sub8&rows=1&depth=rgb565\
             &item=polygon,f2b134,0,120:40;181.5:250.5;20.25:118.75;219.75:118.75;58.5:250.5&selected=0&point=0&loupe=87:111",
         counts: &["playground.star"],
     },
     Preset {
         title: "Gauge",
-        address: "pot=none&turn=496&tilt=504&method=signed_area&precision=sub8&rows=1&depth=rgb565\
+        address: "pot=none&turn=496&tilt=504&method=exact&precision=sub8&rows=1&depth=rgb565\
             &item=circle,2b3a4a,0,120:160;120:59.5\
             &item=circle,131c26,0,120:160;120:70.5\
             &item=line,e4572e,5,120:160;190.5:95.25\
@@ -61,7 +61,7 @@ pub const PRESETS: &[Preset] = &[
     },
     Preset {
         title: "Teapot under a label",
-        address: "pot=textured&turn=496&tilt=504&method=inside_area&precision=sub8&rows=1&depth=rgb565\
+        address: "pot=textured&turn=496&tilt=504&method=exact&precision=sub8&rows=1&depth=rgb565\
             &item=polygon,24506e,0,0:276;240:276;240:320;0:320\
             &item=text,f4f4ec,24,16:306,1%20row%20of%20depths&selected=1&point=0",
         counts: &["playground.bar", "playground.caption"],

@@ -54,8 +54,10 @@ choices! {
         /// The exact area of outlines that do not cross themselves.
         SignedArea = "signed_area",
         /// The exact area, where edges cross as well.
-        #[default]
         InsideArea = "inside_area",
+        /// The cheapest method that is exact for an item, as antialiased styles choose it.
+        #[default]
+        Exact = "exact",
     }
 }
 
@@ -195,7 +197,7 @@ impl State {
         pot: Pot::None,
         turn: 496,
         tilt: 504,
-        method: Method::InsideArea,
+        method: Method::Exact,
         precision: Precision::Sub8,
         rows: 1,
         depth: Depth::Rgb565,
