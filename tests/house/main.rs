@@ -8,6 +8,7 @@ mod formats;
 mod imports;
 mod patterns;
 mod source;
+mod web_links;
 mod wrappers;
 
 use std::{
@@ -25,6 +26,7 @@ use formats::types_without_format;
 use imports::imports;
 use patterns::{shapes, without_pictures};
 use source::{Module, modules, modules_in, other_source_folders, source_folder};
+use web_links::{linked_names, web_links};
 use wrappers::left_to_defaults;
 
 /// The folders of `src/` in the order of the pipeline: each imports only from those before it, and from itself.
@@ -254,6 +256,35 @@ fn embedded_pictures_are_those_of_the_documentation() {
         let is_same = STANDARD.encode(picture) == embedded;
         assert!(is_same, "`docs/refresh embedded` writes {} anew", path.display());
     }
+}
+
+/// The pages of `docs/` are read on the web, too, where no compiler follows a link to an item.
+#[test]
+fn links_to_the_documentation_on_the_web_name_what_there_is() {
+    let names = linked_names(&modules());
+    let face = public_face(&modules());
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let mut links = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "md") {
+            continue;
+        }
+        let text = fs::read_to_string(&path).unwrap();
+        assert!(
+            !text.contains("](crate::"),
+            "{}: a link for the compiler alone",
+            path.display()
+        );
+        for link in web_links(&text) {
+            let (module, page) = link.rsplit_once('/').unwrap();
+            let is_module = page == "index.html" && face.contains(&format!("crate::{}", module.replace('/', "::")));
+            assert!(is_module || names.contains(page), "{}: {link}", path.display());
+            links += 1;
+        }
+    }
+    assert!(links > 100, "{links}");
+    assert!(!names.contains("struct.Lines.html#method.bresenhams") && !names.contains("enum.Lines.html"));
 }
 
 /// The compiler that `rust-version` names has no `&& let`; the lint that holds the library to it looks at functions only.

@@ -173,22 +173,21 @@ impl Table {
     }
 }
 
-/// The name of an algorithm with a link to its page: bold for what the library draws with.
+/// Where the pages of the documentation are on the web.
+const DOCUMENTATION: &str = "https://docs.rs/zrow/latest/zrow";
+
+/// Types of the registry's algorithms that are no structs.
+const ENUMS: &[&str] = &["Classification"];
+
+/// The name of an algorithm with a link to its page: bold for what the library draws with. The page is read on the web as well as
+/// in the crate's documentation, so that the link is one to the web.
 fn link(algorithm: &Algorithm, is_default: bool) -> String {
     let item = algorithm
         .item
         .replace(' ', "")
         .replace("zrow::coverage::", "")
         .replace(',', ", ");
-    let path = algorithm.item.replace(' ', "");
-    let path = path
-        .split('<')
-        .next()
-        .unwrap_or_default()
-        .replacen("zrow::", "crate::", 1);
     let shown = item.rsplit("::").next().unwrap_or_default();
-    let is_function = shown.starts_with(char::is_lowercase);
-    let call = if is_function { "()" } else { "" };
     let bold = if is_default { "**" } else { "" };
     // A generic type's last segment would be that of its argument: the whole item has no `::` then. A function of a family
     // is shown with its type.
@@ -200,7 +199,23 @@ fn link(algorithm: &Algorithm, is_default: bool) -> String {
     } else {
         shown.to_owned()
     };
-    format!("[{bold}`{shown}`{bold}]({path}{call})")
+    format!("[{bold}`{shown}`{bold}]({DOCUMENTATION}/{})", page_of(algorithm))
+}
+
+/// The page of an algorithm's type, and the place of its function there, as rustdoc names them.
+fn page_of(algorithm: &Algorithm) -> String {
+    let path = algorithm.item.replace(' ', "");
+    let path = path.split('<').next().unwrap_or_default();
+    let mut modules = String::new();
+    let mut names = path.split("::").skip(1).peekable();
+    while let Some(module) = names.next_if(|name| name.starts_with(char::is_lowercase)) {
+        modules.push_str(module);
+        modules.push('/');
+    }
+    let type_name = names.next().unwrap_or_default();
+    let kind = if ENUMS.contains(&type_name) { "enum" } else { "struct" };
+    let place = names.next().map(|name| format!("#method.{name}")).unwrap_or_default();
+    format!("{modules}{kind}.{type_name}.html{place}")
 }
 
 #[cfg(test)]
