@@ -62,12 +62,8 @@ type Report = UartPeripheral<uart::Enabled, pac::UART0, Serial>;
 /// Two rows that take turns.
 type Rows = [&'static mut [u16; WORDS]; 2];
 
-/// Why the pictures stopped.
-#[derive(Debug)]
-enum Failure {
-    Scene(#[expect(dead_code, reason = "printed")] PrepareError),
-    Picture(#[expect(dead_code, reason = "printed")] LoopError<panel::Error>),
-}
+/// What came of a picture.
+type Drawn = Result<(), LoopError<panel::Error>>;
 
 #[rp2040_hal::entry]
 fn main() -> ! {
@@ -144,7 +140,7 @@ impl Board {
     }
 
     /// Shows one scene after the other, for ever.
-    fn show_scenes(&mut self, mut rows: Rows) -> Result<Infallible, Failure> {
+    fn show_scenes(&mut self, mut rows: Rows) -> Result<Infallible, PrepareError> {
         loop {
             rows = self.show::<Needle>(rows)?;
             rows = self.show::<Instruments>(rows)?;
@@ -152,17 +148,19 @@ impl Board {
         }
     }
 
-    /// Shows the frames of a scene until the last one, or until one at whose end the button is held down.
+    /// Shows the frames of a scene until the last one, or until one at whose end the button is held down. A frame that could not be
+    /// sent is lost, and the next one is drawn.
     #[inline(never)]
-    fn show<S: Scene<Color = Rgb565>>(&mut self, rows: Rows) -> Result<Rows, Failure> {
-        let mut rows = self.clear(rows)?;
+    fn show<S: Scene<Color = Rgb565>>(&mut self, rows: Rows) -> Result<Rows, PrepareError> {
+        let mut rows = self.clear(rows);
         let Ok(()) = self.backlight.set_high();
         let mut scene = S::default();
         for frame in 0..FRAMES {
             let begin = Moment::now();
-            let mut prepared = scene.prepare(frame).map_err(Failure::Scene)?;
+            let mut prepared = scene.prepare(frame)?;
             let ready = Moment::now();
-            rows = self.draw(&S::picture(), rows, |band| prepared.draw(band))?;
+            let drawn;
+            (rows, drawn) = self.draw(&S::picture(), rows, |band| prepared.draw(band));
             let total = ready.elapsed();
             let sent = self.panel.end_picture();
             let cycles = FrameCycles {
@@ -170,7 +168,10 @@ impl Board {
                 drawing: total - sent.sending - sent.waiting,
                 sent,
             };
-            let _ = writeln!(self.report, "{} frame {frame}: {cycles}", S::NAME);
+            let _ = match drawn {
+                Ok(()) => writeln!(self.report, "{} frame {frame}: {cycles}", S::NAME),
+                Err(error) => writeln!(self.report, "{} frame {frame}: lost, {error:?}", S::NAME),
+            };
             if self.button.is_low() == Ok(true) {
                 break;
             }
@@ -179,10 +180,13 @@ impl Board {
     }
 
     /// Makes the whole panel black.
-    fn clear(&mut self, rows: Rows) -> Result<Rows, Failure> {
+    fn clear(&mut self, rows: Rows) -> Rows {
         let whole = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
-        let rows = self.draw(&PictureLoop::new(whole, Rgb565::BLACK), rows, |_| {});
+        let (rows, drawn) = self.draw(&PictureLoop::new(whole, Rgb565::BLACK), rows, |_| {});
         self.panel.end_picture();
+        if let Err(error) = drawn {
+            let _ = writeln!(self.report, "not black: {error:?}");
+        }
         rows
     }
 
@@ -192,9 +196,8 @@ impl Board {
         picture_loop: &PictureLoop<Rgb565>,
         rows: Rows,
         scene: impl FnMut(&mut Band<'_, Rgb565>),
-    ) -> Result<Rows, Failure> {
-        let (rows, drawn) = picture_loop.rows(ROWS).draw_overlapping(rows, &mut self.panel, scene);
-        drawn.map(|()| rows).map_err(Failure::Picture)
+    ) -> (Rows, Drawn) {
+        picture_loop.rows(ROWS).draw_overlapping(rows, &mut self.panel, scene)
     }
 }
 

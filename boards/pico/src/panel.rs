@@ -30,9 +30,15 @@ const SET_COLUMNS: u16 = 0x2a;
 const SET_ROWS: u16 = 0x2b;
 const WRITE_PIXELS: u16 = 0x2c;
 
-/// Why a band cannot be sent.
+/// How often the DMA is asked whether it is done before its band is given up. A band takes 7,680 cycles, and a look no fewer than
+/// four: the DMA has at least thirteen times as long as it needs.
+const MOST_LOOKS: u32 = 25_000;
+
+/// Why a band was not sent.
 #[derive(Debug)]
 pub enum Error {
+    /// The DMA did not come to an end and was stopped.
+    Timeout,
     /// The DMA still sends another band.
     Busy,
     /// The band is not as large as its buffer, all of which the DMA sends, or not within the panel.
@@ -71,7 +77,7 @@ where
         }
     }
 
-    /// The cycles since the last call; the next band begins a picture.
+    /// The cycles since the last call; the next band begins a picture, also where the last one was not sent to its end.
     pub fn end_picture(&mut self) -> Cycles {
         self.next = None;
         core::mem::take(&mut self.cycles)
@@ -143,12 +149,13 @@ where
 
     fn finish(&mut self, transfer: Self::Transfer) -> (&'static mut [u16; N], Result<(), Error>) {
         let begin = Moment::now();
-        while !transfer.is_done() {}
+        // Whatever the hardware does, this ends, and the buffer comes back.
+        let is_done = (0..MOST_LOOKS).any(|_| transfer.is_done());
         let done = Moment::now();
-        let (channel, buffer, bus) = transfer.wait();
+        let (channel, buffer, bus) = if is_done { transfer.wait() } else { transfer.abort() };
         self.idle = Some((channel, bus));
         self.cycles.waiting += begin.cycles_to(done);
         self.cycles.sending += done.elapsed();
-        (buffer, Ok(()))
+        (buffer, if is_done { Ok(()) } else { Err(Error::Timeout) })
     }
 }

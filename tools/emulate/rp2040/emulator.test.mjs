@@ -5,6 +5,7 @@ import test from 'node:test';
 import { RP2040 } from 'rp2040js';
 import { answer, install } from './boot_rom.mjs';
 import { correctCarries } from './carries.mjs';
+import { stall } from './stall.mjs';
 
 const RAM = 0x20000000;
 const EDGES = [0, 1, 2, 0x7ffffffe, 0x7fffffff, 0x80000000, 0x80000001, 0xfffffffe, 0xffffffff];
@@ -90,4 +91,26 @@ test('the boot ROM fills, copies and counts leading zeros', () => {
   assert.equal(call(rp2040, 'L3', 0), 32);
   assert.equal(call(rp2040, 'L3', 0x10000), 15);
   assert.throws(() => call(rp2040, 'P3', 1), /P3/);
+});
+
+test('the second transfer stops half-way, and the third ends', () => {
+  const rp2040 = new RP2040();
+  const channel = rp2040.dma.channels[0];
+  stall(rp2040.dma, 2);
+  const [WORDS, ALWAYS, HALF_WORDS, INCREMENT, ENABLED] = [8, 0x3f << 15, 1 << 2, 3 << 4, 1];
+  for (const [transfer, words, isBusy] of [[1, 8, false], [2, 4, true], [3, 8, false]]) {
+    const target = RAM + 0x100 * transfer;
+    for (let word = 0; word < WORDS; word += 1) rp2040.writeUint16(RAM + 2 * word, 1 + word);
+    channel.writeUint32(0x0, RAM);
+    channel.writeUint32(0x4, target);
+    channel.writeUint32(0x8, WORDS);
+    channel.writeUint32(0xc, ALWAYS | HALF_WORDS | INCREMENT | ENABLED);
+    for (let tick = 0; tick < 100; tick += 1) rp2040.clock.tick(1);
+    const written = Array.from({ length: WORDS }, (_, word) => rp2040.readUint16(target + 2 * word));
+    assert.equal(written.filter((word) => word > 0).length, words, `transfer ${transfer}`);
+    assert.equal(Boolean(channel.active), isBusy, `transfer ${transfer}`);
+    rp2040.dma.writeUint32(0x444, 1);
+    assert.equal(rp2040.dma.readUint32(0x444), 0);
+    assert.ok(!channel.active);
+  }
 });

@@ -1,11 +1,12 @@
 // Runs the firmware of the Raspberry Pi Pico and prints what goes over its wires, a line each:
 //
-//   node run.mjs PROGRAM FRAMES
+//   node run.mjs PROGRAM FRAMES [TRANSFER]
 //
 //   command 2a       a byte to the display while its data/command pin is low
 //   data 00ef...     bytes while that pin is high
 //   says ...         a line from the firmware's UART0
 //
+// The transfer of that number of the DMA's channel 0 stops half-way and never ends.
 // The button is held down once FRAMES frames of a scene have been reported, until a frame of the next scene is. It ends when its
 // output is closed. rp2040js takes no time for a transfer on the SPI bus: here each takes as many cycles as its bits do.
 
@@ -13,6 +14,7 @@ import { readFileSync, writeSync } from 'node:fs';
 import { ConsoleLogger, GPIOPinState, LogLevel, RP2040 } from 'rp2040js';
 import { ROM_END, answer, install } from './boot_rom.mjs';
 import { correctCarries } from './carries.mjs';
+import { stall } from './stall.mjs';
 
 const FLASH = 0x10000000;
 /** The vector table lies behind the second stage of the boot loader. */
@@ -20,7 +22,7 @@ const VECTOR_TABLE = FLASH + 0x100;
 const CYCLE_NANOS = 8;
 const [DATA_NOT_COMMAND, SELECT, BUTTON] = [16, 17, 12];
 
-const [program, frames] = process.argv.slice(2);
+const [program, frames, transfer] = process.argv.slice(2);
 
 /** Puts the segments of an ELF file where its program headers say. */
 function load(rp2040, elf) {
@@ -87,6 +89,7 @@ install(rp2040);
 correctCarries(core);
 load(rp2040, readFileSync(program));
 listen(rp2040);
+if (transfer !== undefined) stall(rp2040.dma, Number(transfer));
 rp2040.onBreak = () => {
   print('says stopped at a breakpoint');
   process.exit(1);

@@ -34,11 +34,7 @@ pub fn compare_scenes(frames: Option<u32>, output: &Path) -> Result<usize> {
     Rp2040::check_installed()?;
     let program = firmware::build("pico", "thumbv6m-none-eabi")?;
     let frames = frames.unwrap_or(FRAMES);
-    let mut board = Board {
-        chip: Rp2040::start(&program, frames)?,
-        panel: St7789::new(),
-    };
-    let line = board.next_line()?;
+    let (mut board, line) = Board::start(&program, frames, None)?;
     let cycles = loop_cycles(&line).with_context(|| format!("instead of a loop the firmware said: {line}"))?;
     let expected = LOOP_TURNS * CYCLES_A_TURN;
     ensure!(
@@ -46,9 +42,33 @@ pub fn compare_scenes(frames: Option<u32>, output: &Path) -> Result<usize> {
         "a loop of {expected} cycles is counted as {cycles}"
     );
     println!("core cycles a frame, by SysTick in rp2040js, which counts {cycles} for a loop of {expected}:");
-    Ok(compare::<Needle>(&mut board, frames, output)?
+    let differing = compare::<Needle>(&mut board, frames, output)?
         + compare::<Instruments>(&mut board, frames, output)?
-        + compare::<TexturedTeapot>(&mut board, frames, output)?)
+        + compare::<TexturedTeapot>(&mut board, frames, output)?;
+    drop(board);
+    Ok(differing + compare_after_a_fault(&program)?)
+}
+
+/// Compares a frame after one whose transfer by DMA never ends: the firmware has to say that the one is lost, and to go on.
+/// Returns how many pixels differ in the other.
+fn compare_after_a_fault(program: &Path) -> Result<usize> {
+    // The black panel takes a transfer for each of its rows, the first frame one for each of the picture's.
+    let in_the_middle = st7789::HEIGHT as u32 + Needle::AREA.size.height / 2;
+    let (mut board, _) = Board::start(program, FRAMES, Some(in_the_middle))?;
+    let mut scene = Needle::default();
+    simulate(&mut scene, 0)?;
+    let line = board.next_line()?;
+    let lost = format!("{} frame 0: lost, Sink(Timeout)", Needle::NAME);
+    ensure!(line == lost, "instead of a lost frame the firmware said: {line}");
+    let line = board.next_line()?;
+    ensure!(
+        Cycles::of_frame(Needle::NAME, 1, &line).is_some(),
+        "after a lost frame the firmware said: {line}"
+    );
+    let (emulated, drawn) = (board.panel.pixels(Needle::AREA)?, simulate(&mut scene, 1)?);
+    let differing = emulated.iter().zip(&drawn).filter(|(one, other)| one != other).count();
+    println!("a transfer by DMA that never ends: its frame is lost, {differing} differing pixels in the next one");
+    Ok(differing)
 }
 
 /// Compares the frames of a scene, and prints what they took on average.
@@ -94,6 +114,16 @@ struct Board {
 }
 
 impl Board {
+    /// Starts the firmware; the second value is the first line that it says.
+    fn start(program: &Path, frames: u32, stalled_transfer: Option<u32>) -> Result<(Self, String)> {
+        let mut board = Self {
+            chip: Rp2040::start(program, frames, stalled_transfer)?,
+            panel: St7789::new(),
+        };
+        let line = board.next_line()?;
+        Ok((board, line))
+    }
+
     /// What the firmware says next; up to then the panel gets what is sent to it.
     fn next_line(&mut self) -> Result<String> {
         loop {

@@ -76,12 +76,14 @@ impl Rp2040 {
         Ok(())
     }
 
-    /// Starts the firmware, whose button is pressed after so many frames of a scene.
-    pub fn start(program: &Path, frames: u32) -> Result<Self> {
+    /// Starts the firmware, whose button is pressed after so many frames of a scene; the DMA's transfer of a number, from 1 on,
+    /// never ends where there is one.
+    pub fn start(program: &Path, frames: u32, stalled_transfer: Option<u32>) -> Result<Self> {
         let child = Command::new("node")
             .arg(folder().join("run.mjs"))
             .arg(program)
             .arg(frames.to_string())
+            .args(stalled_transfer.map(|number| number.to_string()))
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
