@@ -1,5 +1,5 @@
-//! What the boards with embassy share: a panel whose transfers are futures, and the scenes that they show. A board adds its clocks,
-//! its pins and its bus.
+//! An ST7789 whose transfers are futures, and the scenes that the boards with embassy show on it. The firmware of a board adds its
+//! clocks, its pins and its bus.
 #![no_std]
 #![forbid(unsafe_code)]
 

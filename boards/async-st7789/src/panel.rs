@@ -5,7 +5,7 @@
 //! DMA             |  send 0 ...     |    send 1 ...            |    send 2 ...
 //! ```
 //!
-//! What a future does before it is first pending has to start the DMA. The commands that say where pixels go are therefore
+//! The bus has to start the DMA before the future of a transfer is first pending. The commands that say where pixels go are therefore
 //! written without a future, 11 bytes, and only where a band does not go on where the last one ended: the window reaches from the
 //! first row of a picture to the lower end of the panel, so that the bands of a picture are a single stream.
 

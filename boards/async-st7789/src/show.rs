@@ -1,5 +1,5 @@
-//! What the boards show: a panel of antialiased instruments, of which only what changes is sent, and the Utah teapot, lit and
-//! textured.
+//! Two scenes in turn: a panel of antialiased instruments, of which only the rectangles that change are sent, and the Utah teapot,
+//! lit and textured.
 
 use core::convert::Infallible;
 
@@ -38,7 +38,7 @@ pub enum Frame {
     Teapot {
         /// The number of the frame.
         frame: u32,
-        /// What drawing it took.
+        /// The work that drawing the frame took.
         counters: Counters,
     },
 }

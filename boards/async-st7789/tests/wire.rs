@@ -1,5 +1,5 @@
-//! What the boards with embassy send, decoded as an ST7789 does, against the pictures of the scenes, pixel by pixel; and which of it
-//! is on its way while the next band is drawn.
+//! The bytes that the panel sends, decoded as an ST7789 does, against the pictures of the scenes, pixel by pixel; and that a band is
+//! on its way while the next one is drawn.
 
 #[path = "../../../tools/emulate/src/pico/st7789.rs"]
 mod st7789;

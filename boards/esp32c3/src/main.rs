@@ -1,7 +1,7 @@
 //! zrow on the ESP32-C3-DevKitM-1: draws an antialiased instrument panel and a lit and textured teapot on an ST7789, with embassy: a
 //! band is a future that the DMA fulfils, while the next band is drawn.
 //!
-//! What each frame took is printed on the serial line that the USB socket of the board leads to.
+//! The counters of each frame are printed on the serial line that the USB socket of the board leads to.
 
 #![no_std]
 #![no_main]
@@ -27,7 +27,8 @@ esp_bootloader_esp_idf::esp_app_desc!();
 
 /// Half of the clock of SPI2: the ST7789 takes no more than 62.5 MHz.
 const BUS_CLOCK: Rate = Rate::from_mhz(40);
-/// What is shorter the core puts into the FIFO of 64 bytes: the DMA reads no constants in flash, and commands are not worth it.
+/// The fewest bytes that are sent by DMA. The core puts fewer into the FIFO of 64 bytes: they are commands, which may be constants in
+/// flash, where the DMA cannot read.
 const SHORTEST_DMA: usize = 65;
 /// Words of a band: four rows.
 const WORDS: usize = 4 * WIDTH as usize;

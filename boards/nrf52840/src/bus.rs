@@ -1,6 +1,6 @@
 //! SPIM3, the only one of the chip that is faster than 8 MHz, with buffers in RAM that is theirs alone.
 //!
-//! What SPIM3 sends is corrupted where the core accesses the same block of RAM at the same moment (Nordic, "nRF52840 Errata",
+//! SPIM3 sends wrong bytes where the core accesses the block of RAM that they lie in at the same moment (Nordic, "nRF52840 Errata",
 //! anomaly 198). Each of two bands therefore fills a block, so that one is drawn while the other one is sent; a command is copied
 //! behind the first band, and the core waits until it is sent.
 
