@@ -166,7 +166,7 @@ fn sectors() {
 fn triangles() {
     let mut random = Xorshift::new(0x7419);
     let mut compared = 0;
-    while compared < cases(3, 12) {
+    while compared < cases(2, 12) {
         let mut vertex = || Point::new(random.between(-8, 50), random.between(-8, 50));
         let triangle = Triangle::new(vertex(), vertex(), vertex());
         let [a, b, c] = triangle

@@ -50,7 +50,7 @@ fn lines_with_every_cap() {
 #[test]
 fn dashes() {
     let mut random = Xorshift::new(0xda54);
-    for index in 0..cases(5, 12) as usize {
+    for index in 0..cases(3, 12) as usize {
         let line = Line::new(
             Point::new(random.between(-8, 8), random.between(-8, 40)),
             Point::new(random.between(30, 45), random.between(-8, 41)),

@@ -15,7 +15,7 @@ use crate::{
 };
 
 proptest! {
-    #![proptest_config(config(cases(200, 3_000)))]
+    #![proptest_config(config(cases(100, 3_000)))]
 
     #[test]
     fn bands_of_any_height_show_what_replaying_shows(

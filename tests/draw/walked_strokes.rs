@@ -121,7 +121,7 @@ pub fn vertices() -> impl Strategy<Value = Point> + Clone {
 }
 
 proptest! {
-    #![proptest_config(config(cases(150, 1_500)))]
+    #![proptest_config(config(cases(75, 1_500)))]
 
     #[test]
     fn strokes_of_polygons_are_those_that_are_drawn_anew(contours in contour_items(vertices(), styles())) {
@@ -206,7 +206,7 @@ fn check_polyline(vertices: &[Point], offset: Point) {
 
 #[test]
 fn polylines_of_many_vertices() {
-    const MANY: i32 = 300;
+    let many = cases(100, 300) as i32;
     let zigzag = |index: i32| (index % 61, index * index * 7 % 83 - 12);
     let level = |index: i32| (index * 37 % 71 - 10, 21);
     let twice = |index: i32| zigzag(index / 2 * 2);
@@ -225,12 +225,12 @@ fn polylines_of_many_vertices() {
     };
     let all: [&dyn Fn(i32) -> (i32, i32); 5] = [&zigzag, &level, &twice, &off_screen, &extreme];
     for corner in all {
-        let vertices: Vec<_> = (0..MANY).map(corner).map(Point::from).collect();
+        let vertices: Vec<_> = (0..many).map(corner).map(Point::from).collect();
         check_polyline(&vertices, Point::zero());
         check_polyline(&vertices, Point::new(-7, 5));
     }
     // What an offset moves beyond the number range, and back.
-    let far: Vec<_> = (0..MANY)
+    let far: Vec<_> = (0..many)
         .map(|index| Point::from(zigzag(index)) + Point::new(0, i32::MAX - 100))
         .collect();
     check_polyline(&far, Point::new(0, 100 - i32::MAX));

@@ -12,7 +12,7 @@ use zrow::{
     shade::{Texels, Textured, TexturedSkin},
 };
 
-use crate::common::meshes;
+use crate::common::{cases, meshes};
 use crate::numbered_scene::{Scene, area, picture};
 use crate::reference::nearest_faces::Face;
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
@@ -54,7 +54,7 @@ fn counted<L: Look<Color = Rgb888, Shading = Rgb888, Counting = core::cell::Cell
 /// pixel in their box.
 #[test]
 fn depth_tests_are_those_of_all_covered_pixels() {
-    for frame in 0..8 {
+    for frame in 0..cases(3, 8) as u16 {
         let (counters, _, (pixels, spans)) = counted::<Unhurried<Counted<Rgb888>>>(standard_pose(frame * 7));
         assert_eq!((counters.pixels_tested, counters.spans_tested), (pixels, spans));
         assert_eq!((counters.pixels_filled, counters.spans_filled), (0, 0));
@@ -73,7 +73,7 @@ fn depth_tests_are_those_of_all_covered_pixels() {
 /// Faces that are left out leave no pixel out, and all others are in the table of faces.
 #[test]
 fn culled_faces_are_seen_nowhere() {
-    for frame in 0..8 {
+    for frame in 0..cases(3, 8) as u16 {
         let pose = standard_pose(frame * 9);
         let (counters, picture, _) = counted::<Counted<Rgb888>>(pose);
         let mut seen: Vec<_> = picture.into_iter().flatten().collect();

@@ -448,7 +448,7 @@ fn penetrating_cubes_show_their_intersection() {
 
 #[test]
 fn convex_solids_in_front_of_each_other() {
-    for frame in [1, 9, 33] {
+    for frame in [1, 9, 33].into_iter().take(cases(1, 3) as usize) {
         let meshes = [
             meshes::icosphere(0.8),
             meshes::cube(0.6),

@@ -211,7 +211,7 @@ fn numbers() -> impl Strategy<Value = [[i16; 1]; 3]> {
 }
 
 proptest! {
-    #![proptest_config(config(cases(150, 1_500)))]
+    #![proptest_config(config(cases(50, 1_500)))]
 
     /// Corners before, at, between and behind the planes.
     #[test]

@@ -192,7 +192,7 @@ fn twice(mesh: &Mesh, slid: usize) -> [Mesh; 2] {
 }
 
 proptest! {
-    #![proptest_config(config(cases(3, 24)))]
+    #![proptest_config(config(cases(2, 24)))]
 
     /// Faces that go through each other.
     #[test]

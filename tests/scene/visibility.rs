@@ -218,7 +218,7 @@ pub fn check_models(models: &[Model<'_, Rgb888>]) -> usize {
 
 #[test]
 fn standard_scenes_by_all_methods() {
-    let frames = if is_deep() { 16 } else { 3 };
+    let frames = if is_deep() { 16 } else { 2 };
     for frame in 0..frames {
         let pose = standard_pose(frame * 5 + 1);
         for meshes in meshes::standard_scenes() {
