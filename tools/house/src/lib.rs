@@ -2,6 +2,8 @@
 //! `defmt::Format`, every shape has pictures beside its code, the oldest compiler that is promised reads everything, and the
 //! public face does not grow unnoticed.
 
+#![cfg(test)]
+
 mod circles;
 mod face;
 mod formats;
@@ -14,7 +16,6 @@ mod wrappers;
 use std::{
     collections::{BTreeMap, BTreeSet},
     fs,
-    path::Path,
 };
 
 use base64::{Engine, engine::general_purpose::STANDARD};
@@ -25,7 +26,7 @@ use face::public_face;
 use formats::types_without_format;
 use imports::imports;
 use patterns::{shapes, without_pictures};
-use source::{Module, modules, modules_in, other_source_folders, source_folder};
+use source::{Module, modules, modules_in, other_source_folders, project, source_folder};
 use web_links::{linked_names, web_links};
 use wrappers::left_to_defaults;
 
@@ -198,7 +199,7 @@ fn imports_run_in_no_circles() {
 fn imports_run_in_no_circles_beside_the_library() {
     let mut found = Vec::new();
     for folder in other_source_folders() {
-        let modules = modules_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join(&folder));
+        let modules = modules_in(&project().join(&folder));
         found.extend(circles(&modules).iter().map(|circle| format!("{folder}/{circle}")));
     }
     assert!(found.is_empty(), "each needs the others:\n{}", found.join("\n"));
@@ -248,7 +249,7 @@ fn the_public_face_is_small() {
 /// Pages on docs.rs have no files beside them: their pictures lie in the text, as base64.
 #[test]
 fn embedded_pictures_are_those_of_the_documentation() {
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let docs = project().join("docs");
     for entry in fs::read_dir(docs.join("embedded")).unwrap() {
         let path = entry.unwrap().path();
         let embedded = fs::read_to_string(&path).unwrap();
@@ -263,7 +264,7 @@ fn embedded_pictures_are_those_of_the_documentation() {
 fn links_to_the_documentation_on_the_web_name_what_there_is() {
     let names = linked_names(&modules());
     let face = public_face(&modules());
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let folder = project().join("docs");
     let mut links = 0;
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

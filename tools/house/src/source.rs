@@ -34,8 +34,14 @@ impl Module {
     }
 }
 
+/// The root of the repository.
+pub fn project() -> &'static Path {
+    let tools = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
+    tools.and_then(Path::parent).unwrap()
+}
+
 pub fn source_folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+    project().join("src")
 }
 
 /// Every file of the library.
@@ -45,7 +51,7 @@ pub fn modules() -> Vec<Module> {
 
 /// The folders with the sources of the workspace's other programs and libraries, from the root of the repository on.
 pub fn other_source_folders() -> Vec<String> {
-    let tools = fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("tools")).unwrap();
+    let tools = fs::read_dir(project().join("tools")).unwrap();
     let mut folders: Vec<String> = tools
         .map(|entry| entry.unwrap())
         .filter(|entry| entry.path().join("src").is_dir())
@@ -101,10 +107,10 @@ fn files_below(folder: &Path, files: &mut Vec<PathBuf>) {
 fn remove_tests(items: &mut Vec<Item>) {
     items.retain(|item| !attributes(item).iter().any(is_for_tests));
     for item in items {
-        if let Item::Mod(module) = item {
-            if let Some((_, items)) = &mut module.content {
-                remove_tests(items);
-            }
+        if let Item::Mod(module) = item
+            && let Some((_, items)) = &mut module.content
+        {
+            remove_tests(items);
         }
     }
 }
