@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use crate::{
     band::{Band, Multisampled},
     coverage::SamplePattern,
-    geometry::{InputError, TooSmall},
+    geometry::{InputError, TooSmall, Window},
     scene::{
         Counters, Frame, Look, Model,
         culling::faces_left_out,
@@ -21,8 +21,8 @@ use crate::{
     surface::{Order, Target},
     view::Camera,
     visible::{
-        BandPainter, DepthRow, DepthState, DepthUse, GridRayCasting, ReportingPainter, Silhouettes, Visibility, Work,
-        face_at,
+        BandPainter, DepthRow, DepthState, DepthUse, GridRayCasting, ReportingPainter, SilhouettePainter, Silhouettes,
+        Visibility, Work, face_at,
     },
 };
 
@@ -107,21 +107,18 @@ pub struct Prepared<'f, 'm, L: Look> {
 }
 
 impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
-    /// Whether methods that paint from back to front draw the look: pixels have one sample.
-    const IS_PAINTED: bool = !L::IS_MULTISAMPLED && !L::Silhouettes::BY_AREA;
-
-    /// Whether methods draw the look that find one face for each pixel.
-    const HAS_OWNERS: bool = Self::IS_PAINTED && !L::Shading::HAS_HOLES && !L::Shading::BLENDS;
+    /// Whether methods draw the look that find one face for each pixel: nothing is seen through a face, or beside it.
+    const HAS_OWNERS: bool = !L::Shading::HAS_HOLES && !L::Shading::BLENDS && !L::Silhouettes::BY_AREA;
 
     /// Does not compile where a method, which paints from back to front or not, does not draw the look.
     const fn check_method(paints_from_back: bool) {
         assert!(
-            Self::IS_PAINTED,
-            "only the depth row draws looks with several samples a pixel or silhouettes by area"
+            !L::IS_MULTISAMPLED,
+            "only the depth row draws looks with several samples a pixel"
         );
         assert!(
             Self::HAS_OWNERS || paints_from_back,
-            "only the depth row and DepthSort draw looks with holes or translucent faces"
+            "only the depth row and DepthSort draw looks with holes, translucent faces or silhouettes by area"
         );
     }
 
@@ -235,8 +232,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// Draws the rows of a band by another method than the depth row: the same picture, in other time and memory.
     ///
     /// A program that compares methods, or has a scene for which one is better, names it here; what is not named is not linked.
-    /// Looks with antialiased silhouettes or several samples a pixel need the depth row: with them this does not compile. Those
-    /// with holes or translucent faces need a method that paints from back to front: the depth row or
+    /// Looks with several samples a pixel need the depth row: with them this does not compile. Those with holes, translucent faces
+    /// or antialiased silhouettes need the depth row or a method that paints from back to front:
     /// [`DepthSort`](crate::visible::DepthSort).
     ///
     /// ```
@@ -275,8 +272,47 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         if window.is_empty() {
             return Ok(());
         }
+        if L::Silhouettes::BY_AREA {
+            return self.paint_silhouettes(method, band, &window, |_| {});
+        }
         let mut painter = BandPainter::new(&self.faces, &window, band, self.depths, self.active);
         method.draw(&self.faces, &window, &mut painter)
+    }
+
+    /// Paints the rows of a window by a method that paints from back to front, one row after the other, with silhouettes by
+    /// area.
+    ///
+    /// # Errors
+    /// The method has too little memory for the window: says how much would do. The band is as it was.
+    fn paint_silhouettes<O: Order, M: Visibility<L::Depth>>(
+        &mut self,
+        method: &mut M,
+        band: &mut Band<'_, L::Color, O>,
+        window: &Window,
+        mut report: impl FnMut(Work),
+    ) -> Result<(), TooSmall> {
+        method.check(&self.faces, window)?;
+        // The silhouettes of the rows are followed, but not their faces.
+        self.active.leave_rows();
+        for y in window.top..window.bottom {
+            let Some(row) = DepthRow::new(band, window, y, self.depths) else {
+                continue;
+            };
+            let edges = self
+                .faces
+                .begin_silhouettes(&mut self.silhouettes, &row, y > window.top);
+            let mut painter = SilhouettePainter::new(&self.faces, row, edges);
+            let row = Window {
+                top: y,
+                bottom: y + 1,
+                ..*window
+            };
+            let reporting = ReportingPainter::new(&mut painter, &self.faces, &row, &mut report);
+            let drawn = method.draw(&self.faces, &row, &mut { reporting });
+            painter.finish();
+            drawn?;
+        }
+        Ok(())
     }
 
     /// Draws as [`draw_by`](Self::draw_by) does, and reports the work that the method does, step by step: to show it, to count it,
@@ -324,6 +360,9 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         let window = self.faces.viewport.intersection(&band.window());
         if window.is_empty() {
             return Ok(());
+        }
+        if L::Silhouettes::BY_AREA {
+            return self.paint_silhouettes(method, band, &window, report);
         }
         let painter = BandPainter::new(&self.faces, &window, band, self.depths, self.active);
         let mut painter = ReportingPainter::new(painter, &self.faces, &window, report);

@@ -117,6 +117,11 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.back_off_frames = self.back_off_frames.saturating_sub(1);
     }
 
+    /// Has no row: the next one is begun with all faces anew.
+    pub(crate) const fn leave_rows(&mut self) {
+        self.next_row = i32::MIN;
+    }
+
     /// Whether the row that was drawn last had no depths.
     pub(crate) const fn is_disjoint(&self) -> bool {
         self.disjoint

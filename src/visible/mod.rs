@@ -71,6 +71,17 @@
 //!  . . . . . .        . . . . . .        A A A A . .        A behind B, B, A in front of B      A   B
 //! ```
 //!
+//! What is mixed with what is behind it needs that order: translucent faces, and surfaces with antialiased silhouettes, which end
+//! within a pixel. A surface covers a part of the pixel, the sum over all of its faces there, and that part of it is composited
+//! over what was painted before. Were each face mixed by itself instead, what is behind would come through along the edges that
+//! faces share.
+//!
+//! ```text
+//!  background   B      A B                   3/4 of the pixel lie in A:  3/4 A + 1/4 (what B left there)
+//!  ..........   BBBB   AA/BB                 two faces of A, 3/8 each, one by one: 3/8 A + 5/8 (3/8 A + 5/8 B),
+//!  ..........   BBBB   AAA/B                 which is 39/64 A, and not 48/64
+//! ```
+//!
 //! ## Warnock's subdivision
 //!
 //! Look at the whole window: what is seen in it is obvious if it has no face, or one alone, or a face that surrounds it and is
@@ -122,7 +133,7 @@
 //!
 //! - [`DepthBuffer`]: a depth and a face for each pixel (Catmull 1974). Where memory is plenty.
 //! - [`DepthSort`]: faces sorted by depth and painted from back to front, with splits (Newell, Newell and Sancha 1972), also
-//!   translucent ones and those with holes. Where few faces overlap.
+//!   translucent ones, those with holes, and those with antialiased silhouettes. Where few faces overlap.
 //! - [`GridRayCasting`]: a ray for each pixel that marches through the cells of a grid (Amanatides and Woo 1987). To compare with the
 //!   tree of boxes, which most often takes less.
 //! - [`OneDepth`]: one depth, pixel by pixel (Rogers 1985). Where no memory is left.
@@ -221,6 +232,7 @@ mod row_of_samples;
 mod shaded_span;
 mod sides;
 mod silhouette_edge;
+mod silhouette_painter;
 mod silhouette_pixels;
 mod silhouette_row;
 mod touched_columns;
@@ -248,4 +260,5 @@ pub(crate) use hidden_surfaces::face_at;
 pub(crate) use painter::BandPainter;
 pub(crate) use reporting_painter::ReportingPainter;
 pub(crate) use silhouette_edge::ActiveEdge;
+pub(crate) use silhouette_painter::SilhouettePainter;
 pub(crate) use silhouette_row::{ByArea, EdgeRow, Entry, RowEdges, Silhouettes};

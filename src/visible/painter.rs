@@ -39,6 +39,28 @@ pub trait Painter<S: ScreenPrecision, H: Shading> {
     fn report(&mut self, _work: impl FnOnce() -> Work) {}
 }
 
+impl<S: ScreenPrecision, H: Shading, P: Painter<S, H>> Painter<S, H> for &mut P {
+    fn span(&mut self, face: &ActiveFace<S, H>, row: i32, columns: [i32; 2]) {
+        P::span(self, face, row, columns);
+    }
+
+    fn active(&mut self) -> Option<&mut ActiveList<S, H>> {
+        P::active(self)
+    }
+
+    fn span_of_active(&mut self, slot: u16, row: i32, columns: [i32; 2]) {
+        P::span_of_active(self, slot, row, columns);
+    }
+
+    fn disjoint_row(&mut self, row: i32) -> bool {
+        P::disjoint_row(self, row)
+    }
+
+    fn report(&mut self, work: impl FnOnce() -> Work) {
+        P::report(self, work);
+    }
+}
+
 /// Shades the faces that are seen into a band.
 pub(crate) struct BandPainter<'p, 'b, S: ScreenPrecision, D: DepthWidth, H: Shading, F, O: Order> {
     target: BandRows<'p, 'b, D, H, F, O>,

@@ -75,11 +75,11 @@ impl<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>> Cross
 
 /// A surface at the centre of a pixel.
 #[derive(Debug, Copy, Clone)]
-struct Surface<W, D> {
-    face: u16,
-    depth: D,
+pub(super) struct Surface<W, D> {
+    pub(super) face: u16,
+    pub(super) depth: D,
     /// `None` for a hole.
-    word: Option<W>,
+    pub(super) word: Option<W>,
 }
 
 /// A pixel through which the silhouette of one of several surfaces passes.
@@ -214,7 +214,7 @@ pub(super) fn mix_silhouettes<S, O, D, H, F>(
 
 /// Mixes a pixel.
 #[inline]
-fn mix<S, O, D, H, F>(
+pub(super) fn mix<S, O, D, H, F>(
     row: &mut DepthRow<'_, H::Color, O, D>,
     column: i32,
     word: WordOf<H>,
@@ -337,7 +337,7 @@ where
 /// Whether it is the nearest of two surfaces that ends at an edge, of which the face and the depth are known: that which has
 /// the face of the edge or one with a common corner; of two such, or none, that which is nearer to the edge. An edge in front
 /// of both, or behind both, needs no look.
-fn ends<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+pub(super) fn ends<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     faces: &impl FaceTable<S, D, H>,
     (face, depth): (u16, D),
     nearest: &Surface<WordOf<H>, D>,
@@ -382,7 +382,7 @@ fn is_before<S: ScreenPrecision, D: DepthWidth, H: Shading>(
 
 /// The word of a face at a pixel of the row that it covers, or that is beside it: attributes are at most those of its corners.
 #[inline]
-fn word_of<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+pub(super) fn word_of<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
     faces: &F,
     face: &ActiveFace<S, H>,
     [column, row]: [i32; 2],
@@ -411,7 +411,7 @@ fn shaded_word_of<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S,
 
 /// The word of a face at a pixel of the row beside it.
 #[inline]
-fn word_of_face<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
+pub(super) fn word_of_face<S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
     faces: &F,
     node: u16,
     at: [i32; 2],

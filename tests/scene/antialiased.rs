@@ -46,24 +46,24 @@ pub fn neighbours(faces: &[[u16; 3]]) -> Vec<[u16; 3]> {
 }
 
 /// A mesh with its neighbours.
-struct Surface {
-    mesh: Mesh,
+pub struct Surface {
+    pub mesh: Mesh,
     neighbours: Vec<[u16; 3]>,
 }
 
 impl Surface {
-    fn new(mesh: Mesh) -> Self {
+    pub fn new(mesh: Mesh) -> Self {
         let neighbours = neighbours(&mesh.faces);
         Self { mesh, neighbours }
     }
 
-    fn face_set(&self) -> FaceSet<'_> {
+    pub fn face_set(&self) -> FaceSet<'_> {
         self.mesh.face_set().with_neighbours(&self.neighbours)
     }
 }
 
 /// What is in the band before the scene is drawn.
-fn background(point: Point) -> Rgb888 {
+pub fn background(point: Point) -> Rgb888 {
     let number = (point.x * 71 + point.y * 137) as u32;
     Rgb888::new(number as u8, (number / 3) as u8, (number * 5) as u8)
 }
@@ -122,7 +122,7 @@ fn area_within(triangle: [[f64; 2]; 3], pixel: Point) -> f64 {
 }
 
 /// The area of each pixel that the faces of some orders cover which are seen from the front, or from any side.
-fn coverage<L: Look>(prepared: &Prepared<'_, '_, L>, orders: std::ops::Range<usize>, backs: bool) -> Vec<f64> {
+pub fn coverage<L: Look>(prepared: &Prepared<'_, '_, L>, orders: std::ops::Range<usize>, backs: bool) -> Vec<f64> {
     let unit = f64::from(1 << L::Precision::FRACTION_BITS);
     let mut areas = vec![0.0; (WIDTH * HEIGHT) as usize];
     for face in snapped(prepared) {
@@ -149,13 +149,13 @@ fn coverage<L: Look>(prepared: &Prepared<'_, '_, L>, orders: std::ops::Range<usi
     areas
 }
 
-fn mixed(over: Rgb888, below: Rgb888, part: f64) -> [f64; 3] {
+pub fn mixed(over: Rgb888, below: Rgb888, part: f64) -> [f64; 3] {
     let channels = |color: Rgb888| [color.r(), color.g(), color.b()].map(f64::from);
     let (over, below) = (channels(over), channels(below));
     [0, 1, 2].map(|channel| below[channel] + (over[channel] - below[channel]) * part)
 }
 
-fn difference(found: Rgb888, expected: [f64; 3]) -> f64 {
+pub fn difference(found: Rgb888, expected: [f64; 3]) -> f64 {
     let found = [found.r(), found.g(), found.b()].map(f64::from);
     (0..3)
         .map(|channel| (found[channel] - expected[channel]).abs())
@@ -164,9 +164,9 @@ fn difference(found: Rgb888, expected: [f64; 3]) -> f64 {
 
 /// Levels by which a pixel of a silhouette may be off: 1/255 by rounding the coverage, half a level by mixing, and what edges
 /// that are rounded to 1/8192 pixel miss.
-const OFF: f64 = 1.6;
+pub const OFF: f64 = 1.6;
 
-const COLORS: [Rgb888; 3] = [Rgb888::WHITE, Rgb888::new(255, 60, 0), Rgb888::new(0, 90, 255)];
+pub const COLORS: [Rgb888; 3] = [Rgb888::WHITE, Rgb888::new(255, 60, 0), Rgb888::new(0, 90, 255)];
 
 /// Draws convex bodies, the nearest first, in one colour each. Returns how many pixels lie on one silhouette, and on several.
 fn check<L: Look<Color = Rgb888, Shading = Rgb888>>(meshes: &[Mesh], poses: &[Pose]) -> [usize; 2]
@@ -286,7 +286,7 @@ where
 }
 
 /// The pixels that an edge of some face passes through, also where it only touches a corner.
-fn on_edges<L: Look>(prepared: &Prepared<'_, '_, L>) -> Vec<bool> {
+pub fn on_edges<L: Look>(prepared: &Prepared<'_, '_, L>) -> Vec<bool> {
     let unit = f64::from(1 << L::Precision::FRACTION_BITS);
     let mut passed = vec![false; (WIDTH * HEIGHT) as usize];
     for face in snapped(prepared) {

@@ -58,6 +58,7 @@ mod translucent;
 mod unclipped_faces;
 mod untested_rows;
 mod visibility;
+mod visibility_antialiased;
 mod visibility_depth_sort;
 mod visibility_rays;
 mod visibility_scenes;

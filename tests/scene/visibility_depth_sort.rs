@@ -42,7 +42,7 @@ fn quads(corners: &[[[i16; 3]; 4]]) -> Mesh {
 }
 
 /// Three long faces along the sides of a triangle: each ends in front of the next one, and begins behind the one before.
-fn cycle() -> Mesh {
+pub fn cycle() -> Mesh {
     let corners = [0.0f64, 120.0, 240.0].map(|degrees| {
         let (sine, cosine) = degrees.to_radians().sin_cos();
         [(-500.0, 70.0), (500.0, 150.0), (-500.0, 230.0)].map(|(along, across): (f64, f64)| {
@@ -58,7 +58,7 @@ fn cycle() -> Mesh {
 }
 
 /// Two quads that go through each other, upright and level.
-fn penetrating() -> Mesh {
+pub fn penetrating() -> Mesh {
     quads(&[
         [[-400, -300, -200], [400, -300, 230], [400, 310, 230], [-400, 310, -200]],
         [[-410, -290, 210], [390, -290, -190], [390, 300, -190], [-410, 300, 210]],

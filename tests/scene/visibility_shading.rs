@@ -21,7 +21,7 @@ type Image = Indexed<Rgb888, 2, 4, 4>;
 
 /// A shading that varies evenly on the screen.
 #[derive(Debug)]
-struct Even;
+pub struct Even;
 
 impl Shading for Even {
     type Color = Rgb888;

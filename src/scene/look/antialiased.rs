@@ -16,6 +16,10 @@ use crate::{scene::Look, shade::ChannelColor, visible::ByArea};
 /// [translucent](crate::shade::Translucent), have edges by the centres of pixels, as without this look. Where two silhouettes
 /// at different depths pass through the same pixel, they are taken for one.
 ///
+/// [`DepthSort`](crate::visible::DepthSort) draws such looks as well: the same picture, to the bit, of opaque faces that are not
+/// cut. A translucent or a cut face that lies between a surface and what is behind it is seen beside that surface by `DepthSort`
+/// alone, where the depth row mixes the pixel with what lies behind such a face.
+///
 /// Memory beside that of `L`: 12 bytes a column, 4 a face, 4 a row, and 896. Cost: no row is drawn without depths; a look at
 /// each face a frame, some 300 instructions for each silhouette edge that a row touches (more where over 32 of them go on from
 /// one row to the next), and a look at all faces of the row where it is over other ones.

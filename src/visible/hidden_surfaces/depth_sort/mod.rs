@@ -56,7 +56,13 @@
 //! Translucent faces are mixed with what was painted before, and holes show it. Of equally near faces, opaque ones are painted
 //! after translucent ones.
 //!
-//! Guarantees: the picture of the depth row, whatever the capacity for parts. Cost: the sort, for each face a look at all others
+//! In looks with antialiased silhouettes a surface that ends within a pixel is mixed, by its coverage, with what was painted
+//! before. Coverage is known of one row at a time, so that each row is sorted and painted by itself. It is that of a whole surface,
+//! and not of a face: faces that were mixed one by one would let what is behind them through along each edge that they share, and
+//! along each split.
+//!
+//! Guarantees: the picture of the depth row, whatever the capacity for parts; with antialiased silhouettes where faces are opaque
+//! and not cut. Cost: the sort, for each face a look at all others
 //! whose depths overlap its own (up to the square of their number), and each pixel of each face is painted, hidden or not.
 //!
 //! Source: Newell, Newell and Sancha 1972, "A solution to the hidden surface problem"; Foley and van Dam, section 15.5.1.
@@ -94,7 +100,14 @@ use waiting::{Condition, Waiting};
 /// conditions on parts of faces that wait, two for each face that is split once. With fewer of them, or none, the
 /// picture is the same; it takes longer where faces penetrate or overlap in a cycle.
 ///
-/// Looks with holes and with translucent faces are drawn as well: what is seen through a face was painted before it.
+/// Looks with holes, with translucent faces and with silhouettes that are [`Antialiased`](crate::scene::Antialiased) are drawn
+/// as well: what is seen through a face, or beside it, was painted before it. Of a surface that ends within a pixel the colour is
+/// composited, by its coverage, over what is there: also over translucent faces and faces that are cut, which the depth row leaves
+/// out there. Otherwise pictures are those of the depth row, to the bit. Edges between faces and those of splits leave no seam.
+/// Where two silhouettes at different depths pass through one pixel, they are taken for one.
+///
+/// Silhouettes are antialiased row by row: each row of a band is sorted by itself, with a look at all faces that begin above its
+/// end. `FACES` is that of the whole band nevertheless, so that nothing is drawn where it is too small.
 ///
 /// RAM: 2 bytes a face, 6 bytes a condition, 40 bytes of counters.
 ///
@@ -155,6 +168,15 @@ impl<const FACES: usize, const SPLITS: usize> Default for DepthSort<FACES, SPLIT
 
 impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> Method<D> for DepthSort<FACES, SPLITS> {
     const PAINTS_FROM_BACK: bool = true;
+
+    fn check<S, H, F>(&mut self, faces: &F, window: &Window) -> Result<(), TooSmall>
+    where
+        S: ScreenPrecision,
+        H: Shading,
+        F: FaceTable<S, D, H>,
+    {
+        self.collect(faces, window).map(|_| ())
+    }
 
     fn draw<S, H, F>(&mut self, faces: &F, window: &Window, painter: &mut impl Painter<S, H>) -> Result<(), TooSmall>
     where

@@ -26,9 +26,10 @@ where
     F: FaceTable<S, D, H>,
 {
     /// Paints entries that begin with the first one, each where it is not behind another one of them, and takes them out of
-    /// the list. Where something may be seen through them, those behind others are painted before.
+    /// the list. Where something may be seen through them or beside their silhouettes, those behind others are painted before.
     pub(super) fn paint(&mut self, entries: Range<usize>, painter: &mut impl Painter<S, H>) {
-        let layers = if H::BLENDS || H::HAS_HOLES { entries.len() } else { 1 };
+        let is_seen_through = H::BLENDS || H::HAS_HOLES || F::ANTIALIASES;
+        let layers = if is_seen_through { entries.len() } else { 1 };
         for layer in (0..layers).rev() {
             for entry in entries.clone() {
                 if entries.len() == 1 && !self.waiting.is_part(entry) {

@@ -2,7 +2,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::{BigEndian, LittleEndian, Order},
     scan::Polygons,
-    scene::{Deep, DepthWidth, DoubleSided, Fine, Look, OnePass, Prepared, Whole},
+    scene::{Antialiased, Deep, DepthWidth, DoubleSided, Fine, Look, OnePass, Prepared, Whole},
     shade::{CutOut, Gouraud, Indexed, Texels, Textured, Translucent},
     visible::{
         Appel, Comparison, DepthBuffer, DepthLine, DepthPolygon, DepthSort, DepthSortCounters, DepthState,
@@ -29,6 +29,8 @@ pub const EXERCISES: &[fn()] = &[
     depth_test::<Whole<OnePass<Translucent<Gouraud<Rgb565>>>>, LittleEndian>,
     painted::<Translucent<Gouraud<Rgb565>>, BigEndian>,
     painted::<Fine<Deep<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>>, LittleEndian>,
+    painted::<Antialiased<Rgb565>, LittleEndian>,
+    painted::<Antialiased<Fine<Deep<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>>>, BigEndian>,
     depth_values::<u16>,
     depth_values::<u32>,
 ];
@@ -168,7 +170,7 @@ fn visible_parts<L: Look, V: HiddenLines<L::Depth> + 'static>() {
     }));
 }
 
-/// Translucent faces and holes, from back to front.
+/// Translucent faces, holes and antialiased silhouettes, from back to front.
 #[inline(never)]
 fn painted<L: Look, O: Order + 'static>() {
     visibility::<L, O, DepthSort<500, 40>>();
