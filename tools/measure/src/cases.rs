@@ -423,8 +423,16 @@ fn hidden_surfaces() -> impl Iterator<Item = Case> {
     ];
     // Of a convex solid no face hides another.
     let solid = ["convex_solid", "icosphere in one band"];
-    let for_solids = [("row", "the depth row"), ("sort", "the painter's algorithm")];
-    by_methods("hidden_surfaces", torus, all).chain(by_methods("hidden_surfaces", solid, for_solids))
+    let row_and_painter = [("row", "the depth row"), ("sort", "the painter's algorithm")];
+    let translucent = ["painted.translucent", "translucent teapot at 128 x 64 in one band"];
+    let silhouettes = [
+        "painted.silhouettes",
+        "teapot with antialiased silhouettes at 128 x 64 in one band",
+    ];
+    by_methods("hidden_surfaces", torus, all)
+        .chain(by_methods("hidden_surfaces", solid, row_and_painter))
+        .chain(by_methods("hidden_surfaces", translucent, row_and_painter))
+        .chain(by_methods("hidden_surfaces", silhouettes, row_and_painter))
 }
 
 /// Methods of hidden lines: preparing a frame, and finding the parts of its edges.
