@@ -7,7 +7,7 @@ use zrow::{
     band::{Band, LittleEndian},
     geometry::{Sub4, Sub8, Window},
     scan::Polygons,
-    scene::{Camera, DepthWidth, DoubleSided, Memory, Model, Prepared, ScreenPrecision},
+    scene::{Antialiased, Camera, DepthWidth, DoubleSided, Memory, Model, Prepared, ScreenPrecision},
     visible::{
         DepthBuffer, DepthSort, GridRayCasting, OneDepth, RayCasting, SolidCombination, SolidNode, SpanScanLine,
         TileBins, Visibility, Warnock, Work,
@@ -101,6 +101,36 @@ fn check_solids<S: ScreenPrecision, D: DepthWidth>(
     Ok(())
 }
 
+/// Draws faces with antialiased silhouettes by the painter's algorithm: with room for parts as without, and the picture of the depth row
+/// if no face is cut.
+fn check_silhouettes<S: ScreenPrecision, D: DepthWidth>(
+    camera: &Camera,
+    models: &[Model<'_, Rgb565>],
+    part: &Window,
+) -> Verdict {
+    let mut frame = Memory::<Antialiased<Look<S, D>>, 512, 24, 24, 24, 24>::new();
+    let Ok(mut prepared) = frame.prepare(camera, models) else {
+        return Ok(());
+    };
+    let vertices = models.iter().map(|model| model.mesh().vertices().len()).sum::<usize>();
+    let is_cut = prepared.vertices_needed() > vertices;
+    let mut draw =
+        |method: &mut dyn FnMut(&mut Prepared<'_, '_, _>, &mut Band<'_, Rgb565, LittleEndian>) -> Verdict| {
+            Canvas::new(*part).draw::<LittleEndian>(|band| method(&mut prepared, band))
+        };
+    let drawn = draw(&mut |prepared, band| Ok(prepared.draw_by(&mut DepthSort::<400, 50>::new(), band)?))?;
+    let whole = draw(&mut |prepared, band| Ok(prepared.draw_by(&mut DepthSort::<300, 0>::new(), band)?))?;
+    is_same(part, &drawn, &whole).context("with silhouettes and room for parts, the other without")?;
+    if is_cut {
+        return Ok(());
+    }
+    let by_row = draw(&mut |prepared, band| {
+        prepared.draw(band);
+        Ok(())
+    })?;
+    is_same(part, &by_row, &drawn).context("with silhouettes by the depth row, the other by the painter's algorithm")
+}
+
 impl VisibilityCase {
     fn check_kind<S: ScreenPrecision, D: DepthWidth>(&self) -> Verdict {
         self.scene
@@ -160,6 +190,7 @@ impl VisibilityCase {
             Warnock::<300>::new(), true;
             Warnock::<3, _>::by_region_codes(), true;
         }
+        check_silhouettes::<S, D>(camera, models, &part)?;
         check_solids::<S, D>(camera, models, &part)
     }
 }
