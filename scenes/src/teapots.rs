@@ -1,12 +1,14 @@
 //! The Utah teapot as scenes: flat, under a light in one colour, and under a light with a texture. And a square with a texture.
 
+use core::marker::PhantomData;
+
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
-    scene::{Counted, FaceSet, Model, Rotation, Whole},
+    scene::{Counted, FacePlanes, FaceSet, Model, Rotation, Whole},
     shade::{
         DirectionalLight, FlatLit, FlatLitSkin, Gouraud, GouraudSkin, Lambert, LitTextured, LitTexturedSkin, Shading,
-        Texels, Textured, TexturedSkin,
+        Texels, Textured, TexturedSkin, WithPlanes,
     },
 };
 
@@ -14,7 +16,7 @@ use crate::{
     meshes::face_set,
     paint::rgb,
     standard::{Subject, Turning, angle, model},
-    teapot::{TEAPOT, TEAPOT_COLORS, TEAPOT_COORDINATES, TEAPOT_FACE_NORMALS, TEAPOT_NORMALS},
+    teapot::{TEAPOT, TEAPOT_COLORS, TEAPOT_COORDINATES, TEAPOT_FACE_NORMALS, TEAPOT_NORMALS, TEAPOT_PLANES},
 };
 
 /// From where the teapot fills the width of an upright panel when its spout swings outwards.
@@ -185,6 +187,27 @@ impl Subject for TexturedPot {
                 lights: LIGHT,
             },
         )
+    }
+}
+
+/// A teapot with the planes of its faces, by which those are left out that are turned away.
+#[derive(Debug)]
+pub struct PlanePot<S>(PhantomData<S>);
+
+impl<S: Subject> Subject for PlanePot<S> {
+    const NAME: &'static str = "teapot-planes";
+    const TITLE: &'static str = "Utah teapot, back faces culled by their planes";
+    const SIZE: Size = SIZE;
+    const DISTANCE: I16F16 = DISTANCE;
+    const PORTRAIT: u32 = PORTRAIT;
+    type Shading = WithPlanes<S::Shading>;
+
+    fn model() -> Model<'static, Self::Shading> {
+        const PLANES: FacePlanes = match FacePlanes::new(&TEAPOT, &TEAPOT_PLANES) {
+            Ok(planes) => planes,
+            Err(_) => panic!("a plane is missing"),
+        };
+        shaded(TEAPOT, (*S::model().skin(), PLANES))
     }
 }
 

@@ -62,6 +62,13 @@ impl BoundingBox {
         [middle(x1, x2), middle(y1, y2), middle(z1, z2)]
     }
 
+    /// The middle of the box, and how far it reaches from there along each axis; `None` of the box around nothing.
+    pub(crate) fn middle_and_halves(&self) -> Option<([i16; 3], [u16; 3])> {
+        let (middle, [x2, y2, z2]) = (self.middle(), self.greatest()?);
+        let [x, y, z] = middle;
+        Some((middle, [x2.abs_diff(x), y2.abs_diff(y), z2.abs_diff(z)]))
+    }
+
     /// The corner with the greatest coordinates; `None` of the box around nothing.
     pub(super) const fn greatest(&self) -> Option<[i16; 3]> {
         let ([x1, ..], [x2, ..]) = (self.least, self.greatest);

@@ -29,7 +29,7 @@ const fn is_behind(vertices: &[[i16; 3]], corners: [[i16; 3]; 3]) -> bool {
 }
 
 /// The position of a vertex; the origin where it is not there.
-const fn position(vertices: &[[i16; 3]], index: u16) -> [i16; 3] {
+pub(super) const fn position(vertices: &[[i16; 3]], index: u16) -> [i16; 3] {
     match vertices.split_at_checked(index as usize) {
         Some((_, [position, ..])) => *position,
         _ => [0; 3],

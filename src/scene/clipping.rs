@@ -7,6 +7,7 @@ use crate::{
     clip::convex::{Plane, Polygon, PolygonCorner, cut_segment, sutherland_hodgman},
     scene::{
         Look, Model,
+        back_faces::culls_by_planes,
         frame::{AttributesOf, FRAGMENT, FRAGMENT_VERTICES, MOST_NODES, StoredOf, corners},
         lens::{ScreenVertexOf, has_far_plane, projection},
         off_screen::{eye_corner, guard_band, is_outside, project_corner},
@@ -35,6 +36,15 @@ impl<L: Look> Preparation<'_, L> {
         for (index, &[a, b, c]) in model.mesh().faces().iter().enumerate().rev() {
             let face = &if is_mirrored { [a, c, b] } else { [a, b, c] };
             let node = first_face + index;
+            if culls_by_planes::<L>()
+                && self
+                    .tables
+                    .next
+                    .get(node)
+                    .is_some_and(|next| usize::from(*next) == node)
+            {
+                continue;
+            }
             let Some([a, b, c]) = corners(self.tables.vertices.get(first_vertex..).unwrap_or_default(), face) else {
                 continue;
             };

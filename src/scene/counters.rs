@@ -50,6 +50,10 @@ pub struct Counters {
     pub faces_culled: u32,
     /// Of these, faces of models that were left out as a whole ([`Bounded`](crate::shade::Bounded)).
     pub faces_culled_by_bounds: u32,
+    /// Of these, faces that were left out by their planes ([`WithPlanes`](crate::shade::WithPlanes)).
+    pub faces_culled_by_planes: u32,
+    /// Vertices that were not transformed, because all of their faces were left out by their planes.
+    pub vertices_not_transformed: u32,
     /// Faces that were cut at the near plane or the guard band.
     pub faces_cut: u32,
     /// Rows that were drawn.

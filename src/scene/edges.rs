@@ -9,6 +9,7 @@ use crate::{
     mesh::{Edge, EdgeKind, FaceSet},
     scene::{
         Look, Model,
+        back_faces::{is_not_transformed, transformed},
         clipping::{cut_edge, side_in_eye_space},
         culling::is_left_out,
         faces::Corner,
@@ -51,22 +52,27 @@ pub struct ScreenEdge<S: ScreenPrecision, D> {
 pub(super) fn points<'t, 'm, L: Look>(
     vertices: &'t [ScreenVertexOf<L>],
     models: &'t [Model<'m, L::Shading>],
+    camera: &'t Camera,
 ) -> impl Iterator<Item = ScreenPoint<L::Precision, L::Depth>> + use<'t, 'm, L> {
     let with_first_vertex = models.iter().enumerate().scan(0, |next, (number, model)| {
         let first_vertex = *next;
         *next += model.mesh().vertices().len();
-        Some((number, first_vertex, *next))
+        Some((number, model, first_vertex, *next))
     });
     with_first_vertex
-        .filter(|(_, first_vertex, _)| !is_left_out::<L>(vertices, *first_vertex))
-        .flat_map(|(model, first_vertex, end)| {
+        .filter(|(_, _, first_vertex, _)| !is_left_out::<L>(vertices, *first_vertex))
+        .flat_map(move |(number, model, first_vertex, end)| {
             let of_model = vertices.get(first_vertex..end).unwrap_or_default();
             of_model.iter().enumerate().filter_map(move |(vertex, position)| {
-                if L::CLIPS && is_outside(position) {
+                let position = transformed::<L>(position, vertex, model, camera);
+                if L::CLIPS && is_outside(&position) {
                     return None;
                 }
-                let corner = Corner::new(position)?;
-                Some(ScreenPoint { model, vertex, corner })
+                Some(ScreenPoint {
+                    model: number,
+                    vertex,
+                    corner: Corner::new(&position)?,
+                })
             })
         })
 }
@@ -177,6 +183,10 @@ impl<'t, 'm, L: Look> ModelOnScreen<'t, 'm, L> {
         let Some(corners) = corners(self.vertices, &face) else {
             return 0;
         };
+        // Turned away for certain, and no corner is off the screen.
+        if corners.into_iter().any(is_not_transformed::<L>) {
+            return -1;
+        }
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return side_in_eye_space::<L>(self.camera, self.model, &face);
         }
@@ -186,8 +196,12 @@ impl<'t, 'm, L: Look> ModelOnScreen<'t, 'm, L> {
 
     /// The ends of an edge on the screen; `None` where nothing of it is left, or a vertex is not there.
     fn ends(&self, vertices: [u16; 2]) -> Option<[Corner<L::Precision, L::Depth>; 2]> {
-        let [from, to] = vertices.map(|vertex| self.vertices.get(usize::from(vertex)));
-        let (from, to) = (from?, to?);
+        let [from, to] = vertices.map(|vertex| {
+            let index = usize::from(vertex);
+            let vertex = self.vertices.get(index)?;
+            Some(transformed::<L>(vertex, index, self.model, self.camera))
+        });
+        let (from, to) = (&from?, &to?);
         if L::CLIPS && (is_outside(from) || is_outside(to)) {
             let [from, to] = cut_edge::<L>(self.camera, self.model, vertices)?;
             return Some([Corner::new(&from)?, Corner::new(&to)?]);

@@ -8,14 +8,16 @@ use crate::{
     geometry::SubPoint,
     scene::{
         Look, Model,
+        back_faces::transformed,
         culling::is_left_out,
         frame::{FRAGMENT_VERTICES, corners},
+        lens::ScreenVertexOf,
         model::outward,
         off_screen::is_outside,
         preparation::clockwise,
     },
     shade::Shading,
-    view::{DepthWidth, ScreenPrecision, ScreenVertex},
+    view::{Camera, DepthWidth, ScreenPrecision, ScreenVertex},
 };
 
 /// A corner of a face on the screen.
@@ -68,16 +70,31 @@ impl<S: ScreenPrecision, D: DepthWidth> ScreenFace<S, D> {
 pub(super) fn all<'t, 'm, L: Look>(
     vertices: &'t [ScreenVertex<L::Precision, L::Depth>],
     models: &'t [Model<'m, L::Shading>],
+    camera: &'t Camera,
     fragments: Range<usize>,
 ) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + use<'t, 'm, L> {
     let fragments = vertices.get(fragments).unwrap_or_default();
-    whole::<L>(vertices, models).chain(clipped(fragments))
+    whole::<L>(vertices, models, camera).chain(clipped(fragments))
+}
+
+/// The corners of a face of a model, whose vertices these are, in the order of the mesh. Those that were not transformed, because
+/// none of their faces is drawn, are transformed now.
+pub(super) fn corners_of<L: Look>(
+    vertices: &[ScreenVertexOf<L>],
+    model: &Model<'_, L::Shading>,
+    camera: &Camera,
+    face: usize,
+) -> Option<[ScreenVertexOf<L>; 3]> {
+    let face = model.mesh().faces().get(face)?;
+    let ([a, b, c], [i, j, k]) = (corners(vertices, face)?, face.map(usize::from));
+    Some([(a, i), (b, j), (c, k)].map(|(vertex, index)| transformed::<L>(vertex, index, model, camera)))
 }
 
 /// The faces of a prepared frame that were not cut.
 fn whole<'t, 'm, L: Look>(
     vertices: &'t [ScreenVertex<L::Precision, L::Depth>],
     models: &'t [Model<'m, L::Shading>],
+    camera: &'t Camera,
 ) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + use<'t, 'm, L> {
     let faces = models.iter().map(|model| model.mesh().faces().len()).sum::<usize>();
     (0..faces).filter_map(move |order| {
@@ -85,8 +102,8 @@ fn whole<'t, 'm, L: Look>(
         if is_left_out::<L>(vertices, first_vertex) {
             return None;
         }
-        let corners = corners(vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
-        let corners = outward::<L::Shading, _>(model.skin(), corners);
+        let corners = corners_of::<L>(vertices.get(first_vertex..)?, model, camera, face)?;
+        let corners = outward::<L::Shading, _>(model.skin(), corners.each_ref());
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }

@@ -9,8 +9,8 @@ use crate::{
         clipping::side_in_eye_space,
         culling::is_left_out,
         edges::{self, ModelOnScreen},
-        faces::{Corner, find},
-        frame::{FRAGMENT_VERTICES, corners},
+        faces::{Corner, corners_of, find},
+        frame::FRAGMENT_VERTICES,
         lens::ScreenVertexOf,
         model::outward,
         off_screen::is_outside,
@@ -43,8 +43,8 @@ impl<'m, L: Look> Lines<'_, 'm, L> {
         if is_left_out::<L>(self.vertices, first_vertex) {
             return None;
         }
-        let corners = corners(self.vertices.get(first_vertex..)?, model.mesh().faces().get(face)?)?;
-        let corners = outward::<L::Shading, _>(model.skin(), corners);
+        let corners = corners_of::<L>(self.vertices.get(first_vertex..)?, model, self.camera, face)?;
+        let corners = outward::<L::Shading, _>(model.skin(), corners.each_ref());
         if L::CLIPS && corners.into_iter().any(is_outside) {
             return None;
         }

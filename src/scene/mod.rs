@@ -38,6 +38,7 @@
 
 // The measured reason for functions that are marked as cold here is in `visible`.
 
+mod back_faces;
 mod clipping;
 mod counters;
 mod culling;
@@ -66,7 +67,7 @@ mod silhouettes;
 mod stored_attributes;
 
 pub use crate::{
-    mesh::{BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Edge, EdgeKind, FaceSet},
+    mesh::{BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Edge, EdgeKind, FacePlanes, FaceSet},
     shade::InstructionSet,
     view::{Affine, Camera, DepthWidth, Pose, Rotation, ScreenPrecision},
 };

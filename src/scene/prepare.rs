@@ -6,6 +6,7 @@ use crate::{
     geometry::{InputError, TooSmall, Window, pixel_domain},
     scene::{
         Frame, Look, Model, Prepared,
+        back_faces::{culls_by_planes, transform_seen},
         culling::{is_beyond, is_left_out, leave_out, view_volume},
         frame::{AttributesOf, MOST_NODES, RowStart, StoredOf, Tables, corners},
         lens::{ProjectionOf, ScreenVertexOf, has_far_plane, on_screen, projection},
@@ -136,6 +137,7 @@ impl<L: Look> Preparation<'_, L> {
     fn transform_vertices(&mut self, camera: &Camera, models: &[Model<'_, L::Shading>]) -> Result<bool, InputError> {
         let Self { tables, projection, .. } = self;
         let mut slots = &mut *tables.vertices;
+        let mut first_face = 0;
         let mut all_inside = true;
         // Not by `then`, whose closure the compiler would begin with for all shadings.
         let volume = if L::Shading::HAS_BOUNDS {
@@ -156,6 +158,15 @@ impl<L: Look> Preparation<'_, L> {
             } else {
                 let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
                 let is_unseen = is_beyond_bounds(volume.as_ref(), &transform, model, |_| true);
+                if culls_by_planes::<L>() {
+                    let (first, count) = (first_face, model.mesh().faces().len());
+                    first_face += count;
+                    let next = tables.next.get_mut(first..first_face).unwrap_or_default();
+                    if !is_unseen && transform_seen::<L>(projection, &transform, model, slots_of_model, (first, next)) {
+                        slots = rest;
+                        continue;
+                    }
+                }
                 put_on_screen::<L>(projection, &transform, vertices, slots_of_model, is_unseen)
             };
             all_inside &= transformed.map_err(|beyond| beyond.error(index))?;
@@ -241,11 +252,14 @@ impl<L: Look> Tables<'_, L> {
         let vertices = self.vertices.get(first_vertex..last_vertex).unwrap_or_default();
         let next = self.next.get_mut(first_face..).unwrap_or_default();
         for (index, (face, next)) in mesh.faces().iter().zip(next).enumerate().rev() {
+            let node = (first_face + index) as u16;
+            if culls_by_planes::<L>() && *next == node {
+                continue;
+            }
             let Some([a, b, c]) = corners(vertices, face) else {
                 continue;
             };
             let corners = if is_mirrored { [a, c, b] } else { [a, b, c] };
-            let node = (first_face + index) as u16;
             if let Some(rows) = rows_of_face::<L>(corners, viewport) {
                 *next = begin(self.rows, node, rows);
                 if Preparation::<L>::LIGHTS_VERTICES {

@@ -10,6 +10,7 @@ use crate::{
     geometry::{InputError, TooSmall, Window},
     scene::{
         Counters, Frame, Look, Model,
+        back_faces::{faces_culled, vertices_not_transformed},
         culling::faces_left_out,
         estimate::RowDrawing,
         faces::{self, ScreenFace},
@@ -616,7 +617,12 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// [`points`](Self::points) and [`edges`](Self::edges) are what a mesh is drawn as points or lines with.
     pub fn faces(&self) -> impl Iterator<Item = ScreenFace<L::Precision, L::Depth>> + '_ {
-        faces::all::<L>(self.faces.vertices, self.faces.models, self.fragments.clone())
+        faces::all::<L>(
+            self.faces.vertices,
+            self.faces.models,
+            &self.faces.camera,
+            self.fragments.clone(),
+        )
     }
 }
 
@@ -651,6 +657,10 @@ impl<L: Look<Counting = Cell<Counters>>> Prepared<'_, '_, L> {
             faces,
             faces_culled: faces - whole - cut,
             faces_culled_by_bounds: faces_left_out::<L>(self.faces.vertices, self.faces.models),
+            faces_culled_by_planes: faces_culled::<L>(self.faces.vertices, self.faces.models, &self.faces.camera),
+            vertices_not_transformed: vertices_not_transformed::<L>(
+                self.faces.vertices.get(..self.fragments.start).unwrap_or_default(),
+            ),
             faces_cut: cut,
             rows_without_depth: self.rows_without_depth(),
             rows_in_passes: self.rows_in_passes(),

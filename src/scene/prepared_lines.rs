@@ -47,7 +47,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// # Ok::<(), zrow::geometry::InputError>(())
     /// ```
     pub fn points(&self) -> impl Iterator<Item = ScreenPoint<L::Precision, L::Depth>> + '_ {
-        edges::points::<L>(self.faces.vertices, self.faces.models)
+        edges::points::<L>(self.faces.vertices, self.faces.models, &self.faces.camera)
     }
 
     /// The edges of a model that are to be drawn when it is drawn as lines: boundaries and creases where a face beside them is

@@ -11,7 +11,9 @@ use crate::{
     draw::PictureItem,
     geometry::{InputError, SubPixel, Window},
     scene::{
-        Frame, Look, Model, faces,
+        Frame, Look, Model,
+        back_faces::is_not_transformed,
+        faces,
         off_screen::is_outside,
         prepared_faces::{FrameUniforms, PreparedFaces, RowMemory},
     },
@@ -126,25 +128,29 @@ impl<L: Look, const MODELS: usize> Storage<'_, '_, L, MODELS> {
 
 impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneItem<'_, '_, L, MODELS> {
     /// The smallest box around the vertices as they were snapped, within the viewport; where some are off the screen, around
-    /// what is left of the faces. Cost: a look at each vertex, or at each face.
+    /// what is left of the faces. Vertices all of whose faces were left out by their planes do not count. Cost: a look at each vertex, or at each face.
     fn bounds(&self) -> Window {
         let Ok(storage) = self.0.try_borrow() else {
             return Window::EMPTY;
         };
         let Storage { frame, models, .. } = &*storage;
         let vertices = frame.tables.vertices.get(..storage.fragments.start).unwrap_or_default();
-        let around = if vertices.iter().any(is_outside) {
-            let faces = faces::all::<L>(frame.tables.vertices, models, storage.fragments.clone());
+        let Some(camera) = &storage.camera else {
+            return Window::EMPTY;
+        };
+        let transformed = vertices.iter().filter(|vertex| !is_not_transformed::<L>(vertex));
+        let around = if transformed.clone().any(is_outside) {
+            let faces = faces::all::<L>(frame.tables.vertices, models, camera, storage.fragments.clone());
             let corners = faces.flat_map(|face| face.corners);
             box_around(corners.map(|corner| [corner.point.x_units(), corner.point.y_units()]))
         } else {
-            box_around(vertices.iter().map(|vertex| [vertex.x_units(), vertex.y_units()]))
+            box_around(transformed.map(|vertex| [vertex.x_units(), vertex.y_units()]))
         };
         // The first pixel whose centre is at a corner or after it, and the one after the last whose centre is before it.
         let one = 1 << <L::Precision as SubPixel>::FRACTION_BITS;
         let pixel = |units: i32| (units + (one - 1)) >> <L::Precision as SubPixel>::FRACTION_BITS;
-        match (around, &storage.camera) {
-            (Some([least, most]), Some(camera)) => {
+        match around {
+            Some([least, most]) => {
                 let ([left, top], [right, bottom]) = (least.map(pixel), most.map(pixel));
                 let around = Window {
                     left,
@@ -154,7 +160,7 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
                 };
                 around.intersection(&camera.viewport())
             }
-            _ => Window::EMPTY,
+            None => Window::EMPTY,
         }
     }
 

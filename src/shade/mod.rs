@@ -39,7 +39,7 @@ pub(crate) use shading::{AttributeInstructions, Flat, PlaneSource, Planes, Run, 
 pub use shading::{
     Attributes, Blinn, Bounded, DirectionalLight, FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Lambert,
     Lighting, LitTextured, LitTexturedSkin, Perspective, PointLight, ReflectedLight, Shading, Textured, TexturedSkin,
-    Transformed, Translucent, TwoSided,
+    Transformed, Translucent, TwoSided, WithPlanes,
 };
 pub(crate) use span_blender::SpanBlender;
 pub use texture::{Bilinear, Clamped, CutOut, Indexed, IndexedImage, Sampler, Texels, Texture};

@@ -44,6 +44,17 @@ impl<S: ScreenPrecision> EyeTransform<S> {
             translation: to_eye.matrix().each_ref().map(|row| S::eye_offset(row, &offset)),
         }
     }
+
+    /// The rows of the matrix with 30 fractional bits.
+    pub(super) fn rows_bits(&self) -> [[i64; 3]; 3] {
+        self.rows
+            .map(|row| row.map(|element| S::eye_element_bits(element).into()))
+    }
+
+    /// The translation in 1/4096 unit, rounded down.
+    pub(super) fn offset_bits(&self) -> [i64; 3] {
+        self.translation.map(S::eye_offset_bits)
+    }
 }
 
 impl<S: ScreenPrecision> ToEye for EyeTransform<S> {

@@ -6,6 +6,7 @@
 
 mod affine;
 mod affine_eye_transform;
+mod back_face_test;
 mod camera;
 mod depth_width;
 mod eye_transform;
@@ -28,6 +29,7 @@ pub use precision::ScreenPrecision;
 pub use rotation::Rotation;
 
 pub(crate) use affine_eye_transform::AffineEyeTransform;
+pub(crate) use back_face_test::{BackFaceTest, PlanesOfMesh};
 pub(crate) use eye_transform::{EyeAxis, EyePoint, EyeTransform, ToEye};
 pub(crate) use projection::{Position, Projection, ScreenVertex, WideVertex};
 pub(crate) use sine::sine;

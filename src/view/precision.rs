@@ -58,6 +58,10 @@ pub trait ScreenPrecision: SubPixel + sealed::Sealed {
     fn eye_offset(row: &[I2F30; 3], vector: &[i64; 3]) -> Self::EyeOffset;
     /// A coordinate of a vertex in eye space, in 1/4096 of the vertices' unit.
     fn eye_coordinate(row: &[Self::EyeElement; 3], vertex: [i16; 3], offset: Self::EyeOffset) -> i32;
+    /// An element with 30 fractional bits.
+    fn eye_element_bits(element: Self::EyeElement) -> i32;
+    /// An offset in 1/4096 of the vertices' unit, rounded down.
+    fn eye_offset_bits(offset: Self::EyeOffset) -> i64;
 
     /// Converts a number that is known to fit.
     fn wide(number: i64) -> Self::Wide;
@@ -113,6 +117,14 @@ impl ScreenPrecision for Sub4 {
         (sum >> 2) + offset
     }
 
+    fn eye_element_bits(element: i16) -> i32 {
+        i32::from(element) << 16
+    }
+
+    fn eye_offset_bits(offset: i32) -> i64 {
+        offset.into()
+    }
+
     #[inline]
     fn wide(number: i64) -> i32 {
         number as i32
@@ -159,6 +171,14 @@ impl ScreenPrecision for Sub8 {
     fn eye_coordinate(row: &[I2F30; 3], vertex: [i16; 3], offset: i64) -> i32 {
         let ([a, b, c], [x, y, z]) = (row.map(|element| i64::from(element.to_bits())), vertex.map(i64::from));
         ((a * x + b * y + c * z + offset) >> 18) as i32
+    }
+
+    fn eye_element_bits(element: I2F30) -> i32 {
+        element.to_bits()
+    }
+
+    fn eye_offset_bits(offset: i64) -> i64 {
+        offset >> 18
     }
 
     #[inline]

@@ -250,6 +250,11 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
         )
     }
 
+    /// Fractional bits of x / z that are right, also relative to its size.
+    pub(super) const fn exact_ratio_bits(&self) -> u32 {
+        if Self::WIDE { 23 } else { 15 }
+    }
+
     #[inline]
     fn screen_units(&self, ratio: i64) -> i64 {
         let half = 1 << (Self::RATIO_BITS - 1);

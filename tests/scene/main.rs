@@ -23,6 +23,7 @@ mod depth_state_shading;
 mod depths_first;
 mod double_sided;
 mod estimates;
+mod face_planes;
 mod flight;
 mod fog;
 mod hidden_lines;

@@ -21,14 +21,14 @@ pub mod patches;
 mod vector;
 
 use embedded_graphics::pixelcolor::Rgb565;
-use zrow::scene::FaceSet;
+use zrow::scene::{FacePlanes, FaceSet};
 
 use crate::meshes::face_set;
 use mesh::{Mesh, face_count, tessellate, vertex_count};
 
 macro_rules! teapots {
     ($($cells:literal: $mesh:ident, $doc:literal, $faces:ident, $normals:ident, $coordinates:ident, $colors:ident,
-        $face_normals:ident, $neighbours:ident;)+) => {$(
+        $face_normals:ident, $neighbours:ident, $planes:ident;)+) => {$(
         const $mesh: Mesh<{ vertex_count($cells) }, { face_count($cells) }> = tessellate($cells);
 
         #[doc = $doc]
@@ -62,14 +62,16 @@ macro_rules! teapots {
             "second, to the third, and back."
         )]
         pub static $neighbours: [[u16; 3]; face_count($cells)] = FaceSet::find_neighbours(&$mesh.faces);
+        #[doc = concat!("The plane of each face of [`", stringify!($faces), "`].")]
+        pub static $planes: [[i16; 4]; face_count($cells)] = FacePlanes::find(&$mesh.positions, &$mesh.faces);
     )+};
 }
 
 teapots! {
     4: FINE, "The teapot of 4 by 4 cells a patch: 560 vertices and 992 faces.",
         TEAPOT, TEAPOT_NORMALS, TEAPOT_COORDINATES, TEAPOT_COLORS, TEAPOT_FACE_NORMALS,
-        TEAPOT_NEIGHBOURS;
+        TEAPOT_NEIGHBOURS, TEAPOT_PLANES;
     2: COARSE, "The teapot of 2 by 2 cells a patch, for a small display: 156 vertices and 240 faces.",
         SMALL_TEAPOT, SMALL_TEAPOT_NORMALS, SMALL_TEAPOT_COORDINATES, SMALL_TEAPOT_COLORS,
-        SMALL_TEAPOT_FACE_NORMALS, SMALL_TEAPOT_NEIGHBOURS;
+        SMALL_TEAPOT_FACE_NORMALS, SMALL_TEAPOT_NEIGHBOURS, SMALL_TEAPOT_PLANES;
 }

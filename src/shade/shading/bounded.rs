@@ -6,7 +6,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{BoundingBox, BoundingVolume, FaceSet},
+    mesh::{BoundingBox, BoundingVolume, FacePlanes, FaceSet},
     shade::{InstructionSet, Planes, Shading},
     surface::BandColor,
     view::{Affine, Camera, Pose},
@@ -70,6 +70,7 @@ impl<H: Shading, B: Copy + Into<BoundingVolume> + 'static> Shading for Bounded<H
     const HAS_AFFINE_MAP: bool = H::HAS_AFFINE_MAP;
     const BLENDS: bool = H::BLENDS;
     const HAS_BOUNDS: bool = true;
+    const HAS_PLANES: bool = H::HAS_PLANES;
 
     fn check((skin, _): &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         H::check(skin, mesh)
@@ -153,5 +154,10 @@ impl<H: Shading, B: Copy + Into<BoundingVolume> + 'static> Shading for Bounded<H
     #[inline]
     fn bounds((_, bounds): &Self::Skin<'_>) -> Option<BoundingVolume> {
         Some((*bounds).into())
+    }
+
+    #[inline]
+    fn planes<'a>((skin, _): &Self::Skin<'a>) -> Option<FacePlanes<'a>> {
+        H::planes(skin)
     }
 }

@@ -24,7 +24,7 @@ use fixed::types::I16F16;
 
 use crate::{
     geometry::{TooSmall, quotient_nearest},
-    mesh::{BoundingVolume, FaceSet},
+    mesh::{BoundingVolume, FacePlanes, FaceSet},
     shade::{
         BlendedColor, ChannelColor, InstructionSet, Planes, Shading, layout::Layout, shading::perspective::Perspective,
     },
@@ -171,10 +171,16 @@ impl<H: Shading<Color: ChannelColor>> Shading for Foggy<H> {
     };
 
     const HAS_BOUNDS: bool = H::HAS_BOUNDS;
+    const HAS_PLANES: bool = H::HAS_PLANES;
 
     #[inline]
     fn bounds((skin, _): &Self::Skin<'_>) -> Option<BoundingVolume> {
         H::bounds(skin)
+    }
+
+    #[inline]
+    fn planes<'a>((skin, _): &Self::Skin<'a>) -> Option<FacePlanes<'a>> {
+        H::planes(skin)
     }
 
     #[inline]

@@ -23,6 +23,7 @@ mod textured;
 mod transformed;
 mod translucent;
 mod two_sided;
+mod with_planes;
 
 pub use attributes::Attributes;
 pub(crate) use attributes::{AttributeInstructions, PlaneSource, Planes, Run};
@@ -41,12 +42,13 @@ pub use textured::{Textured, TexturedSkin};
 pub use transformed::Transformed;
 pub use translucent::Translucent;
 pub use two_sided::TwoSided;
+pub use with_planes::WithPlanes;
 
 use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{BoundingVolume, FaceSet},
+    mesh::{BoundingVolume, FacePlanes, FaceSet},
     shade::InstructionSet,
     surface::{BandColor, PixelWord},
     view::{Affine, Camera, Pose},
@@ -235,6 +237,15 @@ pub trait Shading: 'static {
     /// A box, a sphere or a cylinder around the vertices of a model, before any map. Called a few times a model and frame.
     #[inline]
     fn bounds(_: &Self::Skin<'_>) -> Option<BoundingVolume> {
+        None
+    }
+
+    /// Whether models have [planes](Self::planes), as those [`WithPlanes`] do. Where they have none, nothing is linked for it.
+    const HAS_PLANES: bool = false;
+
+    /// The planes of the faces of a model's mesh, before any map. Called once a model and frame.
+    #[inline]
+    fn planes<'a>(_: &Self::Skin<'a>) -> Option<FacePlanes<'a>> {
         None
     }
 }

@@ -8,7 +8,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::TooSmall,
-    mesh::{BoundingVolume, FaceSet},
+    mesh::{BoundingVolume, FacePlanes, FaceSet},
     shade::{InstructionSet, Planes, Shading},
     surface::BandColor,
     view::{Affine, Camera, Pose},
@@ -67,6 +67,7 @@ impl<H: Shading> Shading for Transformed<H> {
     const HAS_HOLES: bool = H::HAS_HOLES;
     const BLENDS: bool = H::BLENDS;
     const HAS_BOUNDS: bool = H::HAS_BOUNDS;
+    const HAS_PLANES: bool = H::HAS_PLANES;
     const HAS_AFFINE_MAP: bool = {
         assert!(
             !H::HAS_AFFINE_MAP,
@@ -140,5 +141,10 @@ impl<H: Shading> Shading for Transformed<H> {
     #[inline]
     fn bounds((skin, _): &Self::Skin<'_>) -> Option<BoundingVolume> {
         H::bounds(skin)
+    }
+
+    #[inline]
+    fn planes<'a>((skin, _): &Self::Skin<'a>) -> Option<FacePlanes<'a>> {
+        H::planes(skin)
     }
 }

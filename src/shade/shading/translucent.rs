@@ -7,7 +7,7 @@ use embedded_graphics::geometry::Point;
 use crate::{
     coverage::Coverage,
     geometry::TooSmall,
-    mesh::{BoundingVolume, FaceSet},
+    mesh::{BoundingVolume, FacePlanes, FaceSet},
     shade::{BlendedColor, ChannelColor, Encoded, InstructionSet, Planes, Shading},
     surface::{BandColor, LittleEndian, Order},
     view::{Affine, Camera, Pose},
@@ -80,6 +80,7 @@ impl<H: Shading<Color: ChannelColor>> Shading for Translucent<H> {
     };
     const HAS_AFFINE_MAP: bool = H::HAS_AFFINE_MAP;
     const HAS_BOUNDS: bool = H::HAS_BOUNDS;
+    const HAS_PLANES: bool = H::HAS_PLANES;
 
     fn check((skin, _): &Self::Skin<'_>, mesh: &FaceSet<'_>) -> Result<(), TooSmall> {
         H::check(skin, mesh)
@@ -147,6 +148,11 @@ impl<H: Shading<Color: ChannelColor>> Shading for Translucent<H> {
     #[inline]
     fn bounds((skin, _): &Self::Skin<'_>) -> Option<BoundingVolume> {
         H::bounds(skin)
+    }
+
+    #[inline]
+    fn planes<'a>((skin, _): &Self::Skin<'a>) -> Option<FacePlanes<'a>> {
+        H::planes(skin)
     }
 
     #[inline]

@@ -227,7 +227,9 @@ fn wrappers_hand_everything_on() {
     let modules = modules();
     let left = [
         left_to_defaults(&modules, "Look", |name| name != "H"),
-        left_to_defaults(&modules, "Shading", |name| ["Bounded", "Translucent"].contains(&name)),
+        left_to_defaults(&modules, "Shading", |name| {
+            ["Bounded", "Translucent", "WithPlanes"].contains(&name)
+        }),
     ];
     assert_eq!(left.concat(), [""; 0], "left to the default");
     let source =
@@ -240,7 +242,7 @@ fn wrappers_hand_everything_on() {
 /// lists them. Public is what a user names: a bound whose methods nobody calls stays `pub` in a private module.
 #[test]
 fn the_public_face_is_small() {
-    const MOST: usize = 201;
+    const MOST: usize = 203;
     let face = public_face(&modules());
     let names: Vec<&str> = face.iter().map(String::as_str).collect();
     assert!(face.len() <= MOST, "{} of {MOST}:\n{}", face.len(), names.join("\n"));

@@ -20,6 +20,7 @@ pub fn all() -> Vec<Case> {
         .chain(rasterizers())
         .chain(SCENES.iter().flat_map(Scene::cases))
         .chain(teapots())
+        .chain(teapots_with_planes())
         .chain([teapot_as_item()])
         .chain(teapots_in_samples())
         .chain(estimates())
@@ -625,6 +626,38 @@ fn teapots() -> impl Iterator<Item = Case> {
                 variant,
                 peer: Peer::None,
             },
+        })
+    })
+}
+
+/// The Utah teapot at 240 x 320 in each shading, its back faces culled by their planes: a frame up to its finished rows, and what
+/// of it is preparing.
+fn teapots_with_planes() -> impl Iterator<Item = Case> {
+    let counts = [
+        ("scene.teapot_planes.flat", "Utah teapot with planes, flat"),
+        (
+            "scene.teapot_planes.flat_lit",
+            "Utah teapot with planes, one brightness a face",
+        ),
+        ("scene.teapot_planes.gouraud", "Utah teapot with planes, three channels"),
+        ("scene.teapot_planes.textured_lit", "Utah teapot with planes, textured"),
+    ];
+    let variants = [("", "", "draw"), (".prepare", ": preparing alone", "prepare")];
+    counts.into_iter().flat_map(move |(count, title)| {
+        [V7EM, V6M].into_iter().flat_map(move |target| {
+            variants.map(|(suffix, what, variant)| Case {
+                name: format!("{count}{suffix}"),
+                title: format!("{title}{what}"),
+                target,
+                budget: None,
+                cycles_budget: None,
+                source: Source::Count {
+                    firmware: "face_planes",
+                    count,
+                    variant,
+                    peer: Peer::None,
+                },
+            })
         })
     })
 }

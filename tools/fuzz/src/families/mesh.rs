@@ -2,7 +2,10 @@
 
 use anyhow::ensure;
 use arbitrary::Arbitrary;
-use zrow::{geometry::InputError, scene::FaceSet};
+use zrow::{
+    geometry::InputError,
+    scene::{FacePlanes, FaceSet},
+};
 
 use crate::{
     target::{Case, Verdict},
@@ -43,7 +46,12 @@ impl Case for FaceSetCase {
             .iter()
             .position(|face| usize::from(largest(face)) >= vertices.len());
         match (FaceSet::new(vertices, &faces), wrong) {
-            (Ok(set), None) => ensure!(set.vertices() == vertices && set.faces() == faces, "another face set"),
+            (Ok(set), None) => {
+                ensure!(set.vertices() == vertices && set.faces() == faces, "another face set");
+                let mut table = vec![[0; 4]; faces.len()];
+                let planes = FacePlanes::find_in(&set, &mut table)?;
+                ensure!(planes.table().len() == faces.len(), "planes of other faces");
+            }
             (Err(error), Some(face)) => {
                 let vertex = largest(&faces[face]);
                 ensure!(

@@ -8,13 +8,13 @@ use zrow::{
     coverage::{Rooks, SamplePattern},
     draw::{Picture, PictureSlot},
     scene::{Antialiased, InstructionSet, Look, Memory, Multisampled, Prepared, SceneItem},
-    shade::{Bilinear, FlatLit, Gouraud, LitTextured, Texels, Textured},
+    shade::{Bilinear, FlatLit, Gouraud, LitTextured, Texels, Textured, WithPlanes},
     visible::Visibility,
 };
 use zrow_scenes::{
     effects::{SmoothPot, SurfacePot},
     standard::{SmallCube, SmallSphere, SmallTorus, Subject, stage},
-    teapots::{FlatLitPot, FlatPot, GouraudPot, TexturedPot, TexturedSquare},
+    teapots::{FlatLitPot, FlatPot, GouraudPot, PlanePot, TexturedPot, TexturedSquare},
 };
 
 use crate::{
@@ -75,6 +75,16 @@ pub type BilinearTeapot = Stage<SmoothPot, LitTextured<Bilinear<Texels<Rgb565, 6
 pub type SilhouetteTeapot = Stage<SurfacePot, Antialiased<Rgb565>, 560, 992, 91, 240, 320>;
 /// The Utah teapot with four samples a pixel.
 pub type MultisampledTeapot = through::Samples<FlatPot, Multisampled<Rgb565>>;
+/// The Utah teapot whose back faces are culled by their planes.
+pub type FlatPlaneTeapot = PlaneTeapot<FlatPot>;
+/// The Utah teapot in one colour under a light, each face in one brightness, whose back faces are culled by their planes.
+pub type FlatLitPlaneTeapot = PlaneTeapot<FlatLitPot>;
+/// The Utah teapot in one colour under a light, whose back faces are culled by their planes.
+pub type GouraudPlaneTeapot = PlaneTeapot<GouraudPot>;
+/// The Utah teapot with a texture under a light, whose back faces are culled by their planes.
+pub type TexturedPlaneTeapot = PlaneTeapot<TexturedPot>;
+/// A Utah teapot whose back faces are culled by their planes.
+pub type PlaneTeapot<S> = Stage<PlanePot<S>, WithPlanes<<S as Subject>::Shading>, 560, 992, 91, 240, 320>;
 /// A square of up to 200 x 200 pixels with a texture in perspective.
 pub type TexturedQuad = Stage<TexturedSquare, Textured<Texels<Rgb565, 64, 64>>, 4, 2, 2, 240, 320>;
 

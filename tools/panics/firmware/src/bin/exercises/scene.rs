@@ -11,12 +11,12 @@ use zrow::{
     geometry::{Sub4, Sub8},
     scene::{
         Antialiased, BoundingBox, BoundingCylinder, BoundingSphere, BoundingVolume, Counted, Counters, Deep,
-        DepthWidth, DoubleSided, Edge, EdgeKind, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model,
+        DepthWidth, DoubleSided, Edge, EdgeKind, FacePlanes, FaceSet, Fine, Frame, InstructionSet, Look, Memory, Model,
         Multisampled, OnePass, Orthographic, Prepared, SceneItem, ScreenPrecision, Unhurried, Whole,
     },
     shade::{
         Bilinear, Blinn, Bounded, ChannelColor, Clamped, CutOut, FlatLit, Foggy, Gouraud, Indexed, Lambert,
-        LitTextured, Shading, Texels, Textured, Transformed, Translucent, TwoSided,
+        LitTextured, Shading, Texels, Textured, Transformed, Translucent, TwoSided, WithPlanes,
     },
 };
 use zrow_methods::LookOf;
@@ -58,6 +58,9 @@ pub const EXERCISES: &[fn()] = &[
     shaded::<Bounded<Rgb565, BoundingSphere>>,
     look::<Fine<Transformed<Bounded<Gouraud<Rgb565>, BoundingCylinder>>>>,
     look::<Whole<Orthographic<Bounded<Transformed<Foggy<Rgb565>>>>>>,
+    shaded::<WithPlanes<Rgb565>>,
+    look::<Fine<Orthographic<WithPlanes<Gouraud<Rgb565>>>>>,
+    look::<Antialiased<Bounded<WithPlanes<Rgb565>>>>,
     look::<Transformed<Rgb565>>,
     look::<Whole<Fine<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>>,
     look::<Deep<Transformed<FlatLit<Gray4>>>>,
@@ -223,6 +226,11 @@ fn model() {
     from::<BoundingSphere, BoundingVolume>();
     from::<BoundingCylinder, BoundingVolume>();
     eq::<BoundingVolume>();
+    keep(FacePlanes::find::<12>(any(), any()));
+    keep(FacePlanes::find_in(any(), any()));
+    keep(FacePlanes::new(any(), any()));
+    keep(FacePlanes::table(any()));
+    eq::<FacePlanes<'_>>();
     keep(FaceSet::faces_of(any()));
     keep(Model::<Rgb565>::new(any(), any()));
     keep(Model::<Rgb565>::with_pose(any(), any()));

@@ -11,7 +11,7 @@ use zrow::{
         FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, Indexed, IndexedImage, Lambert, Lighting,
         LinearGradient, LitTextured, LitTexturedSkin, Paint, Pattern, Perspective, PointLight, RadialGradient, Ramp,
         ReflectedLight, SampleFilter, SampleTarget, Sampler, Shading, Texels, Texture, Textured, TexturedSkin,
-        Transformed, Translucent, TwoSided,
+        Transformed, Translucent, TwoSided, WithPlanes,
     },
 };
 use zrow_panics_firmware::{any, items, keep};
@@ -91,6 +91,8 @@ pub const EXERCISES: &[fn()] = &[
     shading::<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>,
     shading::<Transformed<Stripes>>,
     shading::<Bounded<Rgb565>>,
+    shading::<WithPlanes<Rgb565>>,
+    shading::<WithPlanes<Foggy<Translucent<Gouraud<Rgb888>>>>>,
     shading::<Bounded<Transformed<LitTextured<Texels<Rgb565, 64, 64>>>>>,
     attributes::<([i16; 2], Perspective<1>)>,
     lighting::<Lambert<0>>,
@@ -241,9 +243,10 @@ fn shading<H: Shading>() {
     keep(<H as Shading>::transformed_vertex(any(), any(), any(), any(), any()));
     keep(<H as Shading>::transformed_face(any(), any(), any(), any(), any()));
     keep(<H as Shading>::bounds(any()));
+    keep(<H as Shading>::planes(any()));
     keep(<H as Shading>::is_translucent(any()));
     keep(<H as Shading>::blend(any(), any(), any(), any()));
-    keep((H::TOLERANCE, H::HAS_AFFINE_MAP, H::HAS_BOUNDS, H::BLENDS));
+    keep((H::TOLERANCE, H::HAS_AFFINE_MAP, H::HAS_BOUNDS, H::HAS_PLANES, H::BLENDS));
 }
 
 #[inline(never)]

@@ -1,0 +1,181 @@
+//! Faces that are turned away for certain, left out before their vertices are transformed, and the marks that they leave in the
+//! tables. Linked only for shadings whose models have [planes](crate::shade::Shading::HAS_PLANES).
+//!
+//! First each plane of a model is asked whether the eye is behind it; the vertices of the other faces are marked, and then
+//! transformed. A face that was left out is its own next node; a vertex that was left out has a mark in its coordinates, and
+//! whoever asks for it later, to draw a model as points or hidden edges, has it transformed then.
+
+use crate::{
+    scene::{
+        Look, Model,
+        culling::is_left_out,
+        lens::{ProjectionOf, ScreenVertexOf, on_screen, projection},
+        seen_vertices::SeenVertices,
+    },
+    shade::Shading,
+    view::{BackFaceTest, Camera, DepthWidth, EyeTransform, PlanesOfMesh, ScreenPrecision, ScreenVertex, ToEye},
+    visible::NONE,
+};
+
+/// Whether faces of a look are left out by their planes: they have some, in the axes of the world, and backs are not drawn. Not
+/// where shortcuts are switched off.
+pub(super) const fn culls_by_planes<L: Look>() -> bool {
+    L::Shading::HAS_PLANES && !L::Shading::HAS_AFFINE_MAP && L::HURRIES && !L::DRAWS_BACKS
+}
+
+/// What the vertical coordinate of a vertex says, beside the mark of one that is off the screen, where it was not transformed:
+/// no vertex is beyond all planes but one.
+const NOT_TRANSFORMED: i32 = -2;
+
+/// Transforms the vertices of a model that its faces need which are not turned away for certain, and marks the other vertices
+/// and faces. `false` where all vertices are to be transformed, because some may be off the screen; then no face is marked.
+///
+/// `next` has an entry for each face, from the model's first on, whose index is that of the face among those of all models.
+#[inline(never)]
+pub(super) fn transform_seen<L: Look>(
+    projection: &ProjectionOf<L>,
+    transform: &EyeTransform<L::Precision>,
+    model: &Model<'_, L::Shading>,
+    slots: &mut [ScreenVertexOf<L>],
+    (first_face, next): (usize, &mut [u16]),
+) -> bool {
+    let mesh = model.mesh();
+    let Some((test, planes)) = test_of::<L>(projection, transform, model) else {
+        next.fill(NONE);
+        return false;
+    };
+    let mut seen = SeenVertices::none();
+    let mut node = first_face as u16;
+    for ((face, plane), next) in mesh.faces().iter().zip(planes).zip(next) {
+        if test.is_turned_away(*plane) {
+            *next = node;
+        } else {
+            *next = NONE;
+            seen.mark(*face);
+        }
+        // Fewer than 2^15 faces have nodes, and one after the last may have any number.
+        node = node.wrapping_add(1);
+    }
+    transform_marked::<L>(projection, transform, mesh.vertices(), slots, &seen);
+    true
+}
+
+/// Transforms the vertices that are marked, all of which are on the screen.
+// Not inlined: the loop needs every register.
+#[inline(never)]
+fn transform_marked<L: Look>(
+    projection: &ProjectionOf<L>,
+    transform: &EyeTransform<L::Precision>,
+    vertices: &[[i16; 3]],
+    slots: &mut [ScreenVertexOf<L>],
+    seen: &SeenVertices,
+) {
+    let left_out = not_transformed::<L>();
+    let mut bits = 0;
+    for (index, (vertex, slot)) in vertices.iter().zip(slots).enumerate() {
+        if index % SeenVertices::CHUNK == 0 {
+            bits = seen.of_chunk(index / SeenVertices::CHUNK);
+        }
+        *slot = if bits & 1 == 0 {
+            left_out
+        } else {
+            let found = on_screen::<L>(projection, transform.apply(*vertex));
+            debug_assert!(found.is_some(), "a vertex inside of bounds on the screen");
+            found.unwrap_or(left_out)
+        };
+        bits >>= 1;
+    }
+}
+
+/// The test for the faces of a model, and their planes.
+fn test_of<'m, L: Look>(
+    projection: &ProjectionOf<L>,
+    transform: &EyeTransform<L::Precision>,
+    model: &Model<'m, L::Shading>,
+) -> Option<(BackFaceTest, &'m [[i16; 4]])> {
+    let planes = L::Shading::planes(model.skin())?;
+    let (middle, halves) = planes.bounds().middle_and_halves()?;
+    let format = planes.format();
+    let of_mesh = PlanesOfMesh {
+        middle,
+        halves,
+        normal_bits: format.normal_bits,
+        offset_shift: format.offset_shift,
+    };
+    let test = if L::IS_ORTHOGRAPHIC {
+        projection.parallel_back_face_test(transform, &of_mesh)
+    } else {
+        projection.back_face_test(transform, &of_mesh)
+    };
+    Some((test?, planes.table()))
+}
+
+/// The entry of a vertex that was not transformed in the table of projected vertices.
+fn not_transformed<L: Look>() -> ScreenVertexOf<L> {
+    ScreenVertex {
+        x: L::Precision::OUTSIDE,
+        y: L::Precision::narrow(NOT_TRANSFORMED),
+        z: L::Depth::FARTHEST,
+    }
+}
+
+/// Whether a vertex was not transformed, as none of a face that is drawn is.
+#[inline]
+pub(super) fn is_not_transformed<L: Look>(vertex: &ScreenVertexOf<L>) -> bool {
+    culls_by_planes::<L>() && vertex.x == L::Precision::OUTSIDE && vertex.y_units() == NOT_TRANSFORMED
+}
+
+/// A vertex of a model by its index, transformed now if it was not when the frame was prepared.
+#[inline]
+pub(super) fn transformed<L: Look>(
+    vertex: &ScreenVertexOf<L>,
+    index: usize,
+    model: &Model<'_, L::Shading>,
+    camera: &Camera,
+) -> ScreenVertexOf<L> {
+    if is_not_transformed::<L>(vertex) {
+        transform_late::<L>(index, model, camera)
+    } else {
+        *vertex
+    }
+}
+
+/// Transforms one vertex of a model, all of which is on the screen.
+#[cold]
+#[inline(never)]
+fn transform_late<L: Look>(index: usize, model: &Model<'_, L::Shading>, camera: &Camera) -> ScreenVertexOf<L> {
+    let transform = EyeTransform::<L::Precision>::new(&model.pose, camera.pose());
+    let vertex = model.mesh().vertices().get(index).copied().unwrap_or_default();
+    on_screen::<L>(&projection::<L>(camera), transform.apply(vertex)).unwrap_or(not_transformed::<L>())
+}
+
+/// How many vertices of models were not transformed, without those of models that were left out as a whole.
+pub(super) fn vertices_not_transformed<L: Look>(vertices: &[ScreenVertexOf<L>]) -> u32 {
+    vertices.iter().filter(|vertex| is_not_transformed::<L>(vertex)).count() as u32
+}
+
+/// How many faces of models were left out by their planes, asked once more.
+pub(super) fn faces_culled<L: Look>(
+    vertices: &[ScreenVertexOf<L>],
+    models: &[Model<'_, L::Shading>],
+    camera: &Camera,
+) -> u32 {
+    if !culls_by_planes::<L>() {
+        return 0;
+    }
+    let projection = projection::<L>(camera);
+    let mut first_vertex = 0;
+    let of_model = models.iter().map(|model| {
+        let is_left_out = is_left_out::<L>(vertices, first_vertex);
+        first_vertex += model.mesh().vertices().len();
+        if is_left_out {
+            return 0;
+        }
+        let transform = EyeTransform::new(&model.pose, camera.pose());
+        test_of::<L>(&projection, &transform, model).map_or(0, |(test, planes)| {
+            let faces = model.mesh().faces().iter().zip(planes);
+            faces.filter(|(_, plane)| test.is_turned_away(**plane)).count()
+        })
+    });
+    of_model.sum::<usize>() as u32
+}
