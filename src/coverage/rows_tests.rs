@@ -326,6 +326,34 @@ proptest! {
         let [whole, by_row] = [false, true].map(|row_by_row| pixels(&covered(&edges, rule, &window, row_by_row), &window));
         prop_assert_eq!(whole, by_row);
     }
+
+    /// Edges inside of other contours, which most rows leave out, whichever way round all of them are: to the pixels of all
+    /// edges' cells, added up in few rows of many edges.
+    #[test]
+    fn edges_within_the_inside_are_left_out(
+        quadrilaterals in prop::collection::vec(
+            ([-300..2_000i32, -300..2_000i32], [-300..2_000i32, -300..2_000i32], [-300..600i32, 700..2_100i32]), 2..8,
+        ),
+        (is_even_odd, is_reversed): (bool, bool),
+        odd_one in 0..16usize,
+        left in -3..9i32,
+    ) {
+        let window = crate::geometry::Window { left, top: -2, right: left + 30, bottom: 9 };
+        let rule = if is_even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
+        let mut edges = Vec::new();
+        for (index, ([left, other_left], [right, other_right], [top, bottom])) in quadrilaterals.into_iter().enumerate() {
+            let mut contour =
+                [[left, top], [right + 4_000, top + 90], [other_right + 4_000, bottom], [other_left, bottom - 70]];
+            if is_reversed != (index == odd_one) {
+                contour.reverse();
+            }
+            let ends = contour.iter().zip(contour.iter().cycle().skip(1));
+            edges.extend(ends.filter_map(|(&from, &to)| AntialiasedEdge::from_units(from, to)));
+        }
+        let [whole, by_row] = [false, true].map(|row_by_row| pixels(&covered(&edges, rule, &window, row_by_row), &window));
+        prop_assert_eq!(whole, by_row);
+    }
+
     /// Rows that two edges pass take a way of their own, to the same pixels, from left to right.
     #[test]
     fn rows_between_two_edges_are_covered_like_others(

@@ -29,7 +29,7 @@ use crate::{
 pub(crate) const AREA_BITS: u32 = 18;
 
 /// Shift from a height, 2^14 for a whole pixel, to the area of a pixel that high.
-const COVER_SHIFT: u32 = AREA_BITS - COVER_BITS;
+pub(super) const COVER_SHIFT: u32 = AREA_BITS - COVER_BITS;
 /// Shift from a height times the sum of two x to an area. A whole pixel's product is 2^28.
 const AREA_SHIFT: u32 = COVER_BITS + X_BITS + 1 - AREA_BITS;
 

@@ -12,7 +12,7 @@
 //!
 //! Source: exact area by cells (FreeType's smooth rasterizer, Turner 2000), kept as differences (font-rs, Levien 2016).
 
-use core::ops::Range;
+use core::{num::Wrapping, ops::Range};
 
 use crate::{
     coverage::{
@@ -96,7 +96,7 @@ impl CoverageMethod for SignedArea {
             segments,
             &columns,
             cells,
-            &mut Signed,
+            &mut Signed(fill_rule),
             coverage_by(fill_rule),
             &mut emit,
         )
@@ -118,14 +118,15 @@ impl CoverageMethod for SignedArea {
         match fill_rule {
             FillRule::NonZero => {
                 let coverage = coverage_by(FillRule::NonZero);
-                cover_all(rows, &columns, cells, &mut Signed, coverage, emit)
+                cover_all(rows, &columns, cells, &mut Signed(FillRule::NonZero), coverage, emit)
             }
             // Seldom used: in rows between two edges a way of its own would take more flash than it is worth.
             FillRule::EvenOdd => {
                 let (columns, cells) = in_room(&columns, cells);
                 rows.for_each(|y, segments| {
                     let coverage = coverage_by(FillRule::EvenOdd);
-                    cover(segments, &columns, cells, &mut Signed, coverage, &mut emit.row(y))
+                    let mut signed = Signed(FillRule::EvenOdd);
+                    cover(segments, &columns, cells, &mut signed, coverage, &mut emit.row(y))
                 })
             }
         }
@@ -148,8 +149,8 @@ fn coverage_by(fill_rule: FillRule) -> impl Fn(i32) -> Coverage {
     move |sum| coverage_of_size((sum << unused_bits >> unused_bits).unsigned_abs())
 }
 
-/// Counts every segment by its winding.
-struct Signed;
+/// Counts every segment by its winding, under a fill rule.
+struct Signed(FillRule);
 
 impl CountedEdges for Signed {
     /// In one pixel areas add up, whatever the order: a segment that begins in the pixel in which another one ends is disjoint.
@@ -166,6 +167,12 @@ impl CountedEdges for Signed {
     #[inline(always)]
     fn skips(&mut self, _cluster: &[RowSegment]) -> bool {
         false
+    }
+
+    /// Under the nonzero rule, where windings add up; under the even-odd rule a larger sum may cover nothing.
+    #[inline(always)]
+    fn is_saturated(&self, sum: Wrapping<i32>) -> bool {
+        self.0 == FillRule::NonZero && sum.0.unsigned_abs() >= AREA_ONE as u32
     }
 
     fn add_cluster(&mut self, cluster: &mut [RowSegment], buffer: &mut AccumulationBuffer<'_>) {

@@ -16,8 +16,8 @@ use core::{num::Wrapping, ops::Range};
 use crate::coverage::{
     Coverage, Emit,
     area::{
-        accumulation_buffer::AccumulationBuffer,
-        cell::{Cell, for_each},
+        accumulation_buffer::{AREA_ONE, AccumulationBuffer},
+        cell::{COVER_SHIFT, Cell, for_each},
     },
     edges::{RowSegment, X_BITS, X_ONE},
     sweep::sweep,
@@ -37,6 +37,12 @@ pub(super) trait CountedEdges {
 
     /// Adds the cells of an overlapping cluster to the buffer.
     fn add_cluster(&mut self, cluster: &mut [RowSegment], buffer: &mut AccumulationBuffer<'_>);
+
+    /// Whether a sum of cells is that of a whole pixel, and all sums further from 0 are, too; `false` where that is not known.
+    #[inline(always)]
+    fn is_saturated(&self, _sum: Wrapping<i32>) -> bool {
+        false
+    }
 }
 
 /// Emits the spans of a row whose segments come from left to right. `columns` are no more than there are `cells`, less one.
@@ -56,6 +62,16 @@ pub(super) fn cover<E, C: CountedEdges>(
     let mut current = CurrentCell::NOTHING;
     while let [segment, others @ ..] = &*segments {
         let (start, end) = segment.ends();
+        let cover = current.0.cover;
+        // Two more at least end the inside in which the hidden ones lie.
+        if others.len() > 1 && counted.is_saturated(cover) && counted.is_saturated(cover + cover_of(segment)) {
+            let (count, cover) = hidden(segments, current.0.x, cover);
+            if count != 0 {
+                current.pass_hidden(cover);
+                segments = segments.get_mut(count..).unwrap_or_default();
+                continue;
+            }
+        }
         let is_alone = others
             .first()
             .is_none_or(|next| counted.is_disjoint(end, next.ends().0));
@@ -218,6 +234,13 @@ impl CurrentCell {
         Ok(())
     }
 
+    /// Goes on with the cover right of hidden segments, which leave the pixel of the cell as it is.
+    #[inline(always)]
+    fn pass_hidden(&mut self, cover: Wrapping<i32>) {
+        self.0.area += cover - self.0.cover;
+        self.0.cover = cover;
+    }
+
     /// Makes a cell the current one, in the same pixel or further right; the cover so far goes on in it.
     #[inline(always)]
     fn add(&mut self, cell: Cell) {
@@ -225,6 +248,44 @@ impl CurrentCell {
         self.0.cover += cell.cover;
         self.0.area += cell.area;
     }
+}
+
+/// What a segment adds to the sums of all pixels right of it.
+#[inline(always)]
+fn cover_of(segment: &RowSegment) -> Wrapping<i32> {
+    Wrapping(segment.signed_height() << COVER_SHIFT)
+}
+
+/// How many segments, from the first one on, are hidden: they begin right of column `x`, and all pixels that they and their
+/// neighbours pass are wholly covered without them. Returns the cover right of them, too.
+///
+/// In each pixel an edge adds a number from 0 to its cover. So, where all edges of a cluster that make the sum smaller leave
+/// that of a whole pixel, each pixel is covered wholly, wherever in the cluster it lies.
+// Not inlined: outlines that lie in no other one keep the registers.
+#[inline(never)]
+fn hidden(segments: &[RowSegment], x: i32, cover: Wrapping<i32>) -> (usize, Wrapping<i32>) {
+    // All ones where the sums are below 0: then they are turned round.
+    let negative = cover >> 31;
+    let size = |cover: Wrapping<i32>| (cover ^ negative) - negative;
+    let (mut right, mut cover) = (x, size(cover));
+    let (mut count, mut hidden_cover, mut least) = (0, cover, cover);
+    for (index, segment) in segments.iter().enumerate() {
+        let (start, end) = segment.ends();
+        if start >> X_BITS > right {
+            // No segment of the cluster before is in a pixel of this one.
+            (count, hidden_cover, least) = (index, cover, cover);
+        } else if index == 0 {
+            break;
+        }
+        let added = size(cover_of(segment));
+        least += added & (added >> 31);
+        if least.0 < AREA_ONE {
+            break;
+        }
+        cover += added;
+        right = right.max(end >> X_BITS);
+    }
+    (count, size(hidden_cover))
 }
 
 /// Adds the cells of the first overlapping cluster of the segments to the buffer. Returns how many segments it has, and the
