@@ -334,7 +334,8 @@ proptest! {
         quadrilaterals in prop::collection::vec(
             ([-300..2_000i32, -300..2_000i32], [-300..2_000i32, -300..2_000i32], [-300..600i32, 700..2_100i32]), 2..8,
         ),
-        (is_even_odd, is_reversed): (bool, bool),
+        is_even_odd: bool,
+        is_reversed: bool,
         odd_one in 0..16usize,
         left in -3..9i32,
     ) {

@@ -60,3 +60,4 @@ mod translated_pictures;
 mod triangles;
 mod walked_strokes;
 mod walked_styles;
+mod wide_lines;

@@ -2,6 +2,11 @@
 
 use crate::draw::{outline::RowMemory, payload::Payload};
 
+/// Two numbers of 16 bits in a word.
+pub(super) const fn packed(low: i32, high: i32) -> u32 {
+    (low as u32 & 0xffff) | (high as u32) << 16
+}
+
 /// The words of all items, one item after the other, without gaps.
 #[derive(Debug)]
 pub struct Pool<'m> {

@@ -33,3 +33,4 @@ mod thin_stroke;
 mod triangle;
 mod walked_stroke;
 mod walked_style;
+mod wide_line;

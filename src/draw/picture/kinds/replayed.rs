@@ -114,15 +114,7 @@ impl<S: Words + StyledShape + 'static, C: BandColor, O: Order> PictureItem<C, O>
 
     fn columns_in(&self, slot: &PictureSlot<'_, C, O>, pool: &Pool<'_>, rows: Range<i32>) -> (i32, i32) {
         let (shape, style) = read::<S, C>(slot, pool);
-        let (left, right) = slot.extent.columns();
-        match shape.columns_in(style.stroke_width, rows) {
-            // Between the two, which are numbers of 16 bits.
-            Some(columns) => (
-                columns.start.max(left.into()).min(right.into()) as i32,
-                columns.end.max(left.into()).min(right.into()) as i32,
-            ),
-            None => (left, right),
-        }
+        visible_columns(slot.extent, shape.columns_in(style.stroke_width, rows))
     }
 
     fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
@@ -140,6 +132,19 @@ impl<S: Words + StyledShape + 'static, C: BandColor, O: Order> PictureItem<C, O>
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         let (shape, style) = read::<S, C>(slot, pool);
         let Ok(()) = shape.draw_styled_on(&style, band);
+    }
+}
+
+/// Columns of an item, as far as they lie in its box; all of that where they are not known.
+pub(super) fn visible_columns(extent: Extent, columns: Option<Range<i64>>) -> (i32, i32) {
+    let (left, right) = extent.columns();
+    match columns {
+        // Between the two, which are numbers of 16 bits.
+        Some(columns) => (
+            columns.start.max(left.into()).min(right.into()) as i32,
+            columns.end.max(left.into()).min(right.into()) as i32,
+        ),
+        None => (left, right),
     }
 }
 

@@ -23,8 +23,11 @@ use crate::{
         payload::Payload,
         picture::{
             item::{Extent, ItemKind, PictureItem, PictureSlot, fill_short_span, kind_of, set_pixel},
-            kinds::replayed::{out_of_reach, replayed},
-            pool::Pool,
+            kinds::{
+                replayed::{out_of_reach, replayed},
+                wide_line,
+            },
+            pool::{Pool, packed},
             prepare::{CopiedShape, Draft},
         },
     },
@@ -51,7 +54,9 @@ impl CopiedShape for Line {
         if style.stroke_width > 1 {
             let window = Window::from(self.styled_bounding_box(style));
             let far = out_of_reach(self, 2 * u64::from(style.stroke_width));
-            return replayed(self, style, window.around(&far), payload);
+            let window = window.around(&far);
+            return wide_line::prepare(self, (color, style.stroke_width), &window, payload)
+                .unwrap_or_else(|| replayed(self, style, window, payload));
         }
         let ends = [self.start, self.end];
         let fits = |extent: &Extent| extent.width() <= MOST as i32 && extent.height() <= MOST as i32;
@@ -114,11 +119,6 @@ pub(super) fn next([state, steps]: [&mut u32; 2], rows: i32) -> (i32, i32) {
     }
     *state = packed(end, rest as i32);
     (above, end)
-}
-
-/// Two numbers of 16 bits in a word.
-pub(super) const fn packed(low: i32, high: i32) -> u32 {
-    (low as u32 & 0xffff) | (high as u32) << 16
 }
 
 impl<C: BandColor, O: Order, const STEEP: bool, const LEFTWARDS: bool> ItemKind<C, O> for ThinLine<STEEP, LEFTWARDS> {

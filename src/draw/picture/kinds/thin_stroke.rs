@@ -29,6 +29,7 @@ use crate::{
                 strips::Strips,
                 thin_line,
             },
+            pool::packed,
         },
     },
     geometry::Window,
@@ -204,8 +205,8 @@ fn segment(column: i32, columns: i32, rows: Range<i32>, row: i32) -> Segment {
     [
         state,
         steps,
-        thin_line::packed(column, width),
-        thin_line::packed(height, rows.end) | direction,
+        packed(column, width),
+        packed(height, rows.end) | direction,
     ]
 }
 
