@@ -10,6 +10,7 @@ use zrow::{
     shade::{CutOut, Indexed, IndexedImage, Textured, TexturedSkin, Translucent},
     visible::{DepthSort, Work},
 };
+use zrow_scenes::teapot::TEAPOT;
 
 use crate::antialiased::{COLORS, OFF, Surface, background, coverage, difference, mixed, on_edges};
 use crate::common::meshes::{self, Mesh, cube, icosphere, torus};
@@ -153,6 +154,21 @@ fn standard_scenes_have_the_picture_of_the_depth_row() {
         }
         changed += check_meshes(vec![torus(), icosphere(0.5), cube(0.7)], standard_pose(frame * 3));
         assert!(changed > 200, "{changed}, frame {frame}");
+    }
+}
+
+#[test]
+fn the_teapot_has_the_picture_of_the_depth_row() {
+    let surface = Surface::new(Mesh::new(TEAPOT.vertices().to_vec(), TEAPOT.faces().to_vec()));
+    let colors = colors(&surface.mesh);
+    let frames: &[u16] = if is_deep() { &[0, 9, 17, 26, 31] } else { &[9] };
+    for &frame in frames {
+        let mut pose = standard_pose(frame);
+        // So far away that the near plane cuts no face.
+        pose.translation = at(0, 0, 900);
+        let models = [Model::new(surface.face_set(), &colors).unwrap().with_pose(pose)];
+        let changed = check::<Rgb888>(&models);
+        assert!(changed > 60, "{changed}, frame {frame}");
     }
 }
 
