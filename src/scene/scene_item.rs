@@ -128,7 +128,8 @@ impl<L: Look, const MODELS: usize> Storage<'_, '_, L, MODELS> {
 
 impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneItem<'_, '_, L, MODELS> {
     /// The smallest box around the vertices as they were snapped, within the viewport; where some are off the screen, around
-    /// what is left of the faces. Vertices all of whose faces were left out by their planes do not count. Cost: a look at each vertex, or at each face.
+    /// what is left of the faces. Vertices all of whose faces were left out by their planes do not count. Cost: a look at each
+    /// vertex, or at each face.
     fn bounds(&self) -> Window {
         let Ok(storage) = self.0.try_borrow() else {
             return Window::EMPTY;

@@ -33,8 +33,8 @@ pub(super) const NEVER_QUIET: i16 = i16::MIN;
 /// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses, thin lines and outlines of
 /// circles one pixel wide, 9 for a triangle, 10 for a wider line, 4 for any other stroked circle, ellipse or rectangle, one a
 /// character and one more for a text, some for each corner of a polygon), and buckets of rows. One bucket for each row of the
-/// picture is fastest, fewer work as well. What is too small is an error that says how much is needed; a picture has up to 65,535 items, whose
-/// words begin within the first 65,536.
+/// picture is fastest, fewer work as well. What is too small is an error that says how much is needed; a picture has up to
+/// 65,535 items, whose words begin within the first 65,536.
 ///
 /// Draws into bands of any height and in any order. Going on from row to row is the fast case; every other band is
 /// found by looking at each item once. Rows and columns below -32,768 and from 32,767 on are not drawn.

@@ -23,6 +23,9 @@ use crate::{
 /// are [`Transformed`](crate::shade::Transformed), [`DoubleSided`](crate::scene::DoubleSided) or
 /// [`Unhurried`](crate::scene::Unhurried), are prepared as without planes.
 ///
+/// Cost: four multiplications a face and 8 bytes of its table, instead of the vertices that are not transformed. Count whether that
+/// pays (`cargo run --release -- measure --only teapot`): the Utah teapot with its 992 faces, drawn flat on a Cortex-M4, takes 509,401
+/// instructions with planes and 496,261 without, of which preparing is 116,354 and 103,184; lit by its vertices 880,037 and 866,181.
 ///
 /// Source: Roberts (1963), "Machine perception of three-dimensional solids"; with the eye in the model's axes, as in Blinn (1993),
 /// "Backface culling snags".
