@@ -99,5 +99,7 @@ fn screen_precision<S: ScreenPrecision>() {
     keep(<S as ScreenPrecision>::eye_element(any()));
     keep(<S as ScreenPrecision>::eye_offset(any(), any()));
     keep(<S as ScreenPrecision>::eye_coordinate(any(), any(), any()));
+    keep(<S as ScreenPrecision>::eye_element_bits(any()));
+    keep(<S as ScreenPrecision>::eye_offset_bits(any()));
     keep(<S as ScreenPrecision>::narrow(any()));
 }
