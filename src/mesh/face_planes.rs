@@ -213,7 +213,7 @@ const fn quotient(number: i64, bits: i32, divisor: i128) -> i64 {
     }
 }
 
-/// How far the plane of a triangle is along a normal.
+/// The offset of the plane through a triangle: the product of a normal and the position of a corner.
 const fn offset(normal: [i64; 3], [corner, ..]: [[i16; 3]; 3]) -> i64 {
     dot(normal, way([0; 3], corner)) as i64
 }

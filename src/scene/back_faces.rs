@@ -23,8 +23,8 @@ pub(super) const fn culls_by_planes<L: Look>() -> bool {
     L::Shading::HAS_PLANES && !L::Shading::HAS_AFFINE_MAP && L::HURRIES && !L::DRAWS_BACKS
 }
 
-/// What the vertical coordinate of a vertex says, beside the mark of one that is off the screen, where it was not transformed:
-/// no vertex is beyond all planes but one.
+/// The vertical coordinate of a vertex that was not transformed; its horizontal one is that of a vertex off the screen. There
+/// the vertical coordinate has a bit for each plane that the vertex is beyond, and no vertex is beyond all planes but one.
 const NOT_TRANSFORMED: i32 = -2;
 
 /// Transforms the vertices of a model that its faces need which are not turned away for certain, and marks the other vertices
@@ -149,12 +149,14 @@ fn transform_late<L: Look>(index: usize, model: &Model<'_, L::Shading>, camera: 
     on_screen::<L>(&projection::<L>(camera), transform.apply(vertex)).unwrap_or(not_transformed::<L>())
 }
 
-/// How many vertices of models were not transformed, without those of models that were left out as a whole.
+/// The number of vertices that were not transformed because only faces have them that are turned away. Models that were left
+/// out as a whole do not count.
 pub(super) fn vertices_not_transformed<L: Look>(vertices: &[ScreenVertexOf<L>]) -> u32 {
     vertices.iter().filter(|vertex| is_not_transformed::<L>(vertex)).count() as u32
 }
 
-/// How many faces of models were left out by their planes, asked once more.
+/// The number of faces that were left out because the eye is behind their planes. Asks each plane of the models once more, for
+/// looks that count.
 pub(super) fn faces_culled<L: Look>(
     vertices: &[ScreenVertexOf<L>],
     models: &[Model<'_, L::Shading>],

@@ -50,7 +50,8 @@ pub struct Counters {
     pub faces_culled: u32,
     /// Of these, faces of models that were left out as a whole ([`Bounded`](crate::shade::Bounded)).
     pub faces_culled_by_bounds: u32,
-    /// Of these, faces that were left out by their planes ([`WithPlanes`](crate::shade::WithPlanes)).
+    /// Faces that were left out because the eye is behind their planes ([`WithPlanes`](crate::shade::WithPlanes)), before their
+    /// vertices were transformed: a part of [`faces_culled`](Self::faces_culled).
     pub faces_culled_by_planes: u32,
     /// Vertices that were not transformed, because all of their faces were left out by their planes.
     pub vertices_not_transformed: u32,

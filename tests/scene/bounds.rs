@@ -1,7 +1,7 @@
 //! Models that are left out by boxes, spheres or cylinders around them: pictures with and without them, bit for bit.
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
-use fixed::types::{I8F24, I16F16, U0F16};
+use fixed::types::{I8F24, I16F16};
 use proptest::prelude::*;
 use std::cell::Cell;
 use zrow::{
@@ -18,6 +18,7 @@ use zrow::{
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
 use crate::numbered_scene::{area, color_of};
+use crate::rotations::rotation;
 use crate::shaded_scene::{Even, Numbers};
 use crate::snapped_faces::{at, camera};
 
@@ -32,15 +33,6 @@ struct Crowd {
 const MODELS: usize = 4;
 const WIDTH: u32 = 40;
 const HEIGHT: u32 = 28;
-
-fn rotation() -> impl Strategy<Value = Rotation> {
-    any::<[u16; 3]>().prop_map(|angles| {
-        let [a, b, c] = angles.map(U0F16::from_bits);
-        Rotation::about_x(a)
-            .then(&Rotation::about_y(b))
-            .then(&Rotation::about_z(c))
-    })
-}
 
 /// A mesh of some vertices around the origin or far from it, with faces seen from both sides.
 fn mesh() -> impl Strategy<Value = Mesh> {

@@ -24,6 +24,7 @@ use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
 use crate::numbered_scene::{Scene, area, color_of, compare, picture};
 use crate::reference::nearest_faces::{Depth, owners};
+use crate::rotations::rotation;
 use crate::shaded_scene::{Even, InSpace, Numbers, UNTOUCHED};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
@@ -84,15 +85,6 @@ where
 struct Pair {
     meshes: [Mesh; 2],
     poses: [Pose; 2],
-}
-
-fn rotation() -> impl Strategy<Value = Rotation> {
-    any::<[u16; 3]>().prop_map(|angles| {
-        let [a, b, c] = angles.map(U0F16::from_bits);
-        Rotation::about_x(a)
-            .then(&Rotation::about_y(b))
-            .then(&Rotation::about_z(c))
-    })
 }
 
 /// Meshes of some faces that share vertices, before the camera, around it, or so large that they leave the guard band.

@@ -21,20 +21,12 @@ use zrow::{
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
 use crate::numbered_scene::color_of;
+use crate::rotations::rotation;
 use crate::shaded_scene::{Even, Numbers};
 use crate::snapped_faces::{at, snapped};
 
 const WIDTH: u32 = 60;
 const HEIGHT: u32 = 44;
-
-fn rotation() -> impl Strategy<Value = Rotation> {
-    any::<[u16; 3]>().prop_map(|angles| {
-        let [a, b, c] = angles.map(U0F16::from_bits);
-        Rotation::about_x(a)
-            .then(&Rotation::about_y(b))
-            .then(&Rotation::about_z(c))
-    })
-}
 
 /// Triangles of any shape, slivers among them, each from both sides; small or large, around the origin or far from it.
 fn soup() -> impl Strategy<Value = Mesh> {

@@ -12,6 +12,16 @@ const ONE: i128 = 1 << 60;
 /// What is guaranteed of the square of a row's or column's length, and of the cosine between two: 2^-22, in 4.60.
 const BOUND: i128 = 1 << (60 - 22);
 
+/// Any rotation: turns about the three axes, one after the other.
+pub fn rotation() -> impl Strategy<Value = Rotation> {
+    any::<[u16; 3]>().prop_map(|angles| {
+        let [a, b, c] = angles.map(U0F16::from_bits);
+        Rotation::about_x(a)
+            .then(&Rotation::about_y(b))
+            .then(&Rotation::about_z(c))
+    })
+}
+
 /// How far the rows and the columns are from being orthonormal: the largest of all their products, less what it should be,
 /// in 4.60, exactly.
 pub fn deviation(rotation: &Rotation) -> i128 {

@@ -120,6 +120,12 @@ fn colors(mesh: &Mesh) -> Vec<Rgb888> {
         .collect()
 }
 
+/// A picture of four colours, which repeats over a face.
+const PATTERN: IndexedImage<'static, Rgb888, 2, 4, 4> = IndexedImage {
+    indices: &[[0x1b, 0xe4], [0x72, 0x8d], [0xc9, 0x36], [0x93, 0x6c]],
+    palette: &[0x10, 0xff_0020, 0x40_f030, 0x20_40f0],
+};
+
 /// Compares both in all precisions, with and without the neighbours of faces; returns how many pixels silhouettes change.
 fn check_meshes(meshes: Vec<Mesh>, pose: Pose) -> usize {
     let surfaces: Vec<_> = meshes.into_iter().map(Surface::new).collect();
@@ -225,13 +231,7 @@ proptest! {
         pose in pose(1_300..2_500),
     ) {
         let surface: &Surface = leak(Surface::new(mesh));
-        let skin = TexturedSkin {
-            image: IndexedImage {
-                indices: leak([[0x1b, 0xe4], [0x72, 0x8d], [0xc9, 0x36], [0x93, 0x6c]]),
-                palette: leak([0x10, 0xff_0020, 0x40_f030, 0x20_40f0]),
-            },
-            coordinates: leak(coordinates),
-        };
+        let skin = TexturedSkin { image: PATTERN, coordinates: leak(coordinates) };
         check::<Even>(&[Model::<Even>::with_skin(surface.face_set(), skin).unwrap().with_pose(pose)]);
         check::<Fine<Deep<Even>>>(&[Model::<Even>::with_skin(surface.face_set(), skin).unwrap().with_pose(pose)]);
         let textured = || Model::<Textured<Image>>::with_skin(surface.face_set(), skin).unwrap().with_pose(pose);
@@ -318,13 +318,7 @@ proptest! {
         pose in pose(1_300..2_500),
     ) {
         let surface: &Surface = leak(Surface::new(mesh));
-        let skin = TexturedSkin {
-            image: IndexedImage {
-                indices: leak([[0x1b, 0xe4], [0x72, 0x8d], [0xc9, 0x36], [0x93, 0x6c]]),
-                palette: leak([0x10, 0xff_0020, 0x40_f030, 0x20_40f0]),
-            },
-            coordinates: leak(coordinates),
-        };
+        let skin = TexturedSkin { image: PATTERN, coordinates: leak(coordinates) };
         type Holed = Textured<CutOut<Image>>;
         check_between_edges::<Holed>(&[Model::<Holed>::with_skin(surface.face_set(), skin).unwrap().with_pose(pose)]);
     }

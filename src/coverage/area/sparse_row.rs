@@ -250,14 +250,14 @@ impl CurrentCell {
     }
 }
 
-/// What a segment adds to the sums of all pixels right of it.
+/// The cover of a segment: the signed height that it adds to the sum of each pixel right of it, as an area.
 #[inline(always)]
 fn cover_of(segment: &RowSegment) -> Wrapping<i32> {
     Wrapping(segment.signed_height() << COVER_SHIFT)
 }
 
-/// How many segments, from the first one on, are hidden: they begin right of column `x`, and all pixels that they and their
-/// neighbours pass are wholly covered without them. Returns the cover right of them, too.
+/// Counts the first segments of a row that change no pixel: they begin right of column `x`, and all pixels that they and their
+/// neighbours pass are wholly covered without them. Returns their number and the cover right of them.
 ///
 /// In each pixel an edge adds a number from 0 to its cover. So, where all edges of a cluster that make the sum smaller leave
 /// that of a whole pixel, each pixel is covered wholly, wherever in the cluster it lies.

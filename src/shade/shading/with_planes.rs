@@ -17,7 +17,8 @@ use crate::{
 /// picture is the same, bit for bit: where a face is so nearly on edge, or so small on the screen, that rounding may turn it
 /// round, its corners on the screen decide as ever.
 ///
-/// What a model takes beside its mesh is that of `H` and the planes: `(skin, planes)`, as [`FacePlanes`] finds them in a `const`.
+/// The skin of a model is that of `H` together with the planes of its mesh: `(skin, planes)`, which [`FacePlanes`] finds in a
+/// `const`.
 /// They must be those of the mesh: of one that was [moved](FaceSet::morphed) in between, faces may be missing in the picture.
 /// Models of which some may be off the screen, nearer than the near plane or behind the far plane, and all models in looks that
 /// are [`Transformed`](crate::shade::Transformed), [`DoubleSided`](crate::scene::DoubleSided) or
