@@ -2,15 +2,24 @@
 
 use proptest::test_runner::{Config, RngSeed};
 
-/// Whether the environment variable `ZROW_DEEP` is 1, as it is in `.ci/run`: everything is tried, however long it takes.
-pub fn is_deep() -> bool {
-    std::env::var_os("ZROW_DEEP").is_some_and(|value| value == "1")
+/// The share of the deep cases that the environment variable `ZROW_DEEP` asks for: 0 where it is not set, 1 for all of them.
+fn depth() -> f64 {
+    let Ok(value) = std::env::var("ZROW_DEEP") else {
+        return 0.0;
+    };
+    let share = value.parse().ok().filter(|share| (0.0..=1.0).contains(share));
+    share.unwrap_or_else(|| panic!("ZROW_DEEP={value}: take a number from 0 to 1, such as 1 for all deep cases"))
 }
 
-/// The number of cases that proptest tries: `default`, or `deep` where the environment variable `ZROW_DEEP` is 1. With the fixed
-/// seed of [`config`] the cases of a default run are the first ones of a deep run.
+/// Whether the environment variable `ZROW_DEEP` is above 0, as it is in `.ci/run`: everything is tried, however long it takes.
+pub fn is_deep() -> bool {
+    depth() > 0.0
+}
+
+/// The number of cases to try: `default`, or `deep` where the environment variable `ZROW_DEEP` is 1, or a number between them
+/// where it is a share of 1. With the fixed seed of [`config`] the cases of a default run are the first ones of a deep run.
 pub fn cases(default: u32, deep: u32) -> u32 {
-    if is_deep() { deep } else { default }
+    default + (f64::from(deep.saturating_sub(default)) * depth()) as u32
 }
 
 /// proptest with a fixed seed, so that every run tests the same cases.

@@ -13,7 +13,7 @@ use zrow::{
 };
 
 use crate::common::meshes::{self, Mesh};
-use crate::common::{cases, config, is_deep};
+use crate::common::{cases, config};
 use crate::depth_row::{faces, pose};
 use crate::hidden_lines::{check as check_by_search, parts_by};
 use crate::numbered_scene::{Format, LookIn, Scene, area};
@@ -281,7 +281,7 @@ fn check_with_face_against_segment(meshes: Vec<Mesh>, pose: Pose, edge: EdgeOf) 
 #[test]
 fn standard_scenes() {
     let (mut samples, mut edges, mut rays) = ([0; 2], 0, 0);
-    for frame in 0..if is_deep() { 16 } else { 1 } {
+    for frame in 0..cases(1, 16) as u16 {
         let pose = standard_pose(frame * 5 + 1);
         let scenes: [(_, EdgeOf); 5] = [
             (vec![meshes::torus(), meshes::cube(0.5)], Edge::crease),
