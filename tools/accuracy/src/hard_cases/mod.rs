@@ -5,6 +5,7 @@ mod circles;
 mod lines;
 mod peers;
 mod polygons;
+mod round_shapes;
 
 use crate::axis::{Axis, Chapter, Context};
 
@@ -34,7 +35,9 @@ impl Axis for HardCases {
                 "Lines and circles of one pixel are compared with the nearest pixels, by whole numbers of 128 bits. A pixel is \
                  wrong where another one of its step is nearer, or where a step has none; of two that are equally near, either is \
                  right. A line \"cut at whole pixels\" has its ends on the screen's border by Liang and Barsky's algorithm, \
-                 rounded, and is drawn exactly from there on, as textbooks have it. Regions are clipped by Greiner and Hormann's \
+                 rounded, and is drawn exactly from there on, as textbooks have it. Filled circles and ellipses are compared with \
+                 their inequalities in the same numbers; a filled shape of embedded-graphics panics where its numbers overflow, \
+                 or, without overflow checks, is another one. Regions are clipped by Greiner and Hormann's \
                  algorithm; their areas follow from the corners by hand."
                     .to_owned(),
             ],
@@ -46,6 +49,7 @@ impl Axis for HardCases {
                 polygons::summary()?,
                 lines::summary()?,
                 circles::summary()?,
+                round_shapes::summary(),
                 booleans::summary()?,
             ],
             entries: Vec::new(),
