@@ -18,57 +18,52 @@ use crate::{
     digits::digits,
 };
 
-/// A circle or an ellipse, by the upper left corner of its box.
+/// A shape that both libraries fill.
 #[derive(Debug, Copy, Clone)]
 enum Round {
-    Circle((i32, i32), u32),
-    Ellipse((i32, i32), (u32, u32)),
+    Circle(Circle),
+    Ellipse(Ellipse),
 }
 
-use Round::{Circle as Disc, Ellipse as Oval};
+/// A circle whose box begins at a point of the screen, or outside of it.
+const fn circle(x: i32, y: i32, diameter: u32) -> Round {
+    Round::Circle(Circle::new(Point::new(x, y), diameter))
+}
+
+/// An ellipse whose box begins at a point of the screen, or outside of it.
+const fn ellipse(x: i32, y: i32, width: u32, height: u32) -> Round {
+    Round::Ellipse(Ellipse::new(Point::new(x, y), Size::new(width, height)))
+}
 
 const CASES: &[(&str, Round)] = &[
-    ("a disc of 200 pixels", Disc((20, 60), 200)),
-    ("32,769 pixels, its left end", Disc((20, -16_000), 32_769)),
-    ("46,342 pixels: the square exceeds 31 bits", Disc((20, -23_000), 46_342)),
+    ("a circle of 200 pixels", circle(20, 60, 200)),
+    ("32,769 pixels, its left end", circle(20, -16_000, 32_769)),
+    ("46,342 pixels: the square exceeds 31 bits", circle(20, -23_000, 46_342)),
     (
         "1,000,000,001 pixels, its upper end",
-        Disc((-499_999_900, 100), 1_000_000_001),
+        circle(-499_999_900, 100, 1_000_000_001),
     ),
-    ("an ellipse of 2 x 8, none in its first row", Oval((100, 100), (2, 8))),
-    ("256 x 128", Oval((-10, 50), (256, 128))),
-    ("256 x 200", Oval((-10, 50), (256, 200))),
-    ("300 x 200", Oval((-30, 50), (300, 200))),
+    ("an ellipse of 2 x 8, none in its first row", ellipse(100, 100, 2, 8)),
+    ("256 x 128", ellipse(-10, 50, 256, 128)),
+    ("256 x 200", ellipse(-10, 50, 256, 200)),
+    ("300 x 200", ellipse(-30, 50, 300, 200)),
     (
         "65,535 x 40,000, its right end",
-        Oval((-65_400, -19_900), (65_535, 40_000)),
+        ellipse(-65_400, -19_900, 65_535, 40_000),
     ),
 ];
 
 impl Round {
-    fn corner_and_size(self) -> ((i32, i32), (u32, u32)) {
-        match self {
-            Self::Circle(corner, diameter) => (corner, (diameter, diameter)),
-            Self::Ellipse(corner, size) => (corner, size),
-        }
-    }
-
     /// Whether the centre of a pixel is inside, in whole numbers: distances from the middle are doubled.
-    fn contains(self, (x, y): (i32, i32)) -> bool {
-        let ((left, top), (width, height)) = self.corner_and_size();
-        let [width, height] = [width, height].map(i128::from);
+    fn contains(&self, pixel: Point) -> bool {
+        let (Point { x: left, y: top }, size) = match self {
+            Self::Circle(circle) => (circle.top_left, Size::new_equal(circle.diameter)),
+            Self::Ellipse(ellipse) => (ellipse.top_left, ellipse.size),
+        };
+        let [width, height] = [size.width, size.height].map(i128::from);
         let from_middle = |at: i32, first: i32, length: i128| 2 * (i128::from(at) - i128::from(first)) - (length - 1);
-        let [dx, dy] = [from_middle(x, left, width), from_middle(y, top, height)];
+        let [dx, dy] = [from_middle(pixel.x, left, width), from_middle(pixel.y, top, height)];
         (dx * height).pow(2) + (dy * width).pow(2) < (width * height).pow(2)
-    }
-
-    fn shape(self) -> (Circle, Ellipse) {
-        let ((left, top), (width, height)) = self.corner_and_size();
-        let corner = Point::new(left, top);
-        (
-            Circle::new(corner, width),
-            Ellipse::new(corner, Size::new(width, height)),
-        )
     }
 }
 
@@ -76,20 +71,18 @@ impl Round {
 type Fill = fn(Round, &mut Band<'_, Gray8>);
 
 fn zrow(round: Round, band: &mut Band<'_, Gray8>) {
-    let (circle, ellipse) = round.shape();
     let style = draw::PrimitiveStyle::with_fill(Gray8::WHITE);
     let Ok(()) = match round {
-        Round::Circle(..) => circle.into_styled(style).draw_on(band),
-        Round::Ellipse(..) => ellipse.into_styled(style).draw_on(band),
+        Round::Circle(circle) => circle.into_styled(style).draw_on(band),
+        Round::Ellipse(ellipse) => ellipse.into_styled(style).draw_on(band),
     };
 }
 
 fn embedded_graphics(round: Round, band: &mut Band<'_, Gray8>) {
-    let (circle, ellipse) = round.shape();
     let style = PrimitiveStyle::with_fill(Gray8::WHITE);
     let Ok(()) = match round {
-        Round::Circle(..) => circle.into_styled(style).draw(band),
-        Round::Ellipse(..) => ellipse.into_styled(style).draw(band),
+        Round::Circle(circle) => circle.into_styled(style).draw(band),
+        Round::Ellipse(ellipse) => ellipse.into_styled(style).draw(band),
     };
 }
 
@@ -104,7 +97,7 @@ fn wrong_pixels(round: Round, fill: Fill) -> Option<usize> {
     let pixels = area.points().zip(words);
     Some(
         pixels
-            .filter(|(point, word)| round.contains((point.x, point.y)) != (*word != 0))
+            .filter(|(point, word)| round.contains(*point) != (*word != 0))
             .count(),
     )
 }
@@ -113,7 +106,7 @@ fn wrong_pixels(round: Round, fill: Fill) -> Option<usize> {
 pub fn summary() -> Summary {
     let area = UPRIGHT_SCREEN.to_rectangle();
     let rows = CASES.iter().map(|&(title, round)| {
-        let seen = area.points().filter(|point| round.contains((point.x, point.y))).count();
+        let seen = area.points().filter(|point| round.contains(*point)).count();
         let wrong = [zrow, embedded_graphics].map(|fill: Fill| match wrong_pixels(round, fill) {
             Some(wrong) => digits(wrong as f64),
             None => "panics".to_owned(),
@@ -149,8 +142,8 @@ mod tests {
     #[test]
     fn what_others_fill_wrongly_is_found() {
         assert_eq!(wrong_pixels(CASES[0].1, embedded_graphics), Some(0));
-        assert_eq!(wrong_pixels(Disc((20, -23_000), 46_342), embedded_graphics), None);
+        assert_eq!(wrong_pixels(circle(20, -23_000, 46_342), embedded_graphics), None);
         // It begins with a row that has no pixel, and draws none at all.
-        assert_eq!(wrong_pixels(Oval((100, 100), (2, 8)), embedded_graphics), Some(12));
+        assert_eq!(wrong_pixels(ellipse(100, 100, 2, 8), embedded_graphics), Some(12));
     }
 }
