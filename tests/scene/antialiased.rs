@@ -19,8 +19,8 @@ use zrow::{
 
 use crate::common::meshes::{Mesh, cube, icosphere, torus};
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::area;
+use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{at, camera, snapped};
 
 const WIDTH: u32 = 64;

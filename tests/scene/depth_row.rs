@@ -1,17 +1,18 @@
 //! The depth row against a full-frame reference in exact arithmetic, which starts from the snapped and cut faces.
 
 use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
-use fixed::types::{I16F16, U0F16};
+use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     geometry::{Sub4, Sub8},
-    scene::{Camera, DepthWidth, Memory, Model, Pose, Rotation},
+    scene::{Camera, DepthWidth, Memory, Model, Pose},
 };
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
 use crate::numbered_scene::{Format, LookIn, Scene, area, compare, picture};
-use crate::snapped_faces::{at, camera, snapped, standard_pose};
+use crate::random_faces::{faces, pose};
+use crate::snapped_faces::{camera, snapped, standard_pose};
 
 type SmallMemory<S, D> = Memory<LookIn<S, D>, 400, 64, 128, 64, 64>;
 
@@ -44,35 +45,6 @@ fn standard_scenes_with_16_bits() {
 fn standard_scenes_with_32_bits() {
     assert_eq!(standard_scenes::<Sub4, u32>(), [0, 0, 0]);
     assert_eq!(standard_scenes::<Sub8, u32>(), [0, 0, 0]);
-}
-
-fn angle() -> impl Strategy<Value = U0F16> {
-    any::<u16>().prop_map(U0F16::from_bits)
-}
-
-pub fn pose(distance: std::ops::Range<i32>) -> BoxedStrategy<Pose> {
-    (angle(), angle(), angle(), -300..300, -300..300, distance)
-        .prop_map(|(a, b, c, x, y, z)| {
-            let rotation = Rotation::about_z(a)
-                .then(&Rotation::about_x(b))
-                .then(&Rotation::about_y(c));
-            Pose::new(rotation, at(x, y, z))
-        })
-        .boxed()
-}
-
-/// Random faces, each with corners of its own, seen from both sides.
-pub fn faces(size: i16, count: usize) -> BoxedStrategy<Mesh> {
-    let corner = prop::array::uniform3(-size..=size);
-    prop::collection::vec(prop::array::uniform3(corner), 1..=count)
-        .prop_map(|faces| {
-            let vertices = faces.concat();
-            let faces = (0..faces.len() as u16)
-                .map(|face| [3 * face, 3 * face + 1, 3 * face + 2])
-                .collect();
-            Mesh::new(vertices, faces).two_sided()
-        })
-        .boxed()
 }
 
 /// Draws a mesh with every precision and width; returns how many pixels differ.

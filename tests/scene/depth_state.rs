@@ -21,8 +21,8 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{Format, LookIn, area, color_of};
+use crate::random_faces::{faces, pose};
 use crate::reference::nearest_faces::Face;
 use crate::snapped_faces::{camera, snapped, standard_pose};
 

@@ -11,9 +11,9 @@ use zrow::{
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::holes::{EvenHoles, HEIGHT, Holed, Pattern, UNTOUCHED, WIDTH, any_coordinates, leak, single, skins};
 use crate::numbered_scene::{area, color_of};
+use crate::random_faces::{faces, pose};
 use crate::snapped_faces::camera;
 
 type MemoryOf<L, const ACTIVE: usize = 64> = Memory<L, 400, 64, WIDTH, HEIGHT, ACTIVE>;

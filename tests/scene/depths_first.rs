@@ -10,9 +10,9 @@ use zrow::{
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::holes::{HEIGHT, UNTOUCHED, WIDTH, any_coordinates, drawn, leak, twice};
 use crate::numbered_scene::area;
+use crate::random_faces::{faces, pose};
 use crate::snapped_faces::camera;
 
 type Image = Indexed<Rgb888, 2, 4, 4>;

@@ -18,9 +18,9 @@ use zrow::{
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
 use crate::numbered_scene::area;
+use crate::same_looks::Careful;
 use crate::shaded_scene::{SIZE, SmallMemory, TEXELS, UNTOUCHED, camera_in_units, words};
 use crate::shading_bands::WordOf;
-use crate::shading_looks::Careful;
 use crate::snapped_faces::at;
 
 /// Curves that tell each two steps beside each other apart, together.

@@ -11,8 +11,8 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config, is_deep};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{Format, Scene, area, picture};
+use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{at, camera, standard_pose};
 use crate::visibility::{HEIGHT, MemoryOf, WIDTH};
 

@@ -14,9 +14,9 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::hidden_lines::{check as check_by_search, parts_by};
 use crate::numbered_scene::{Format, LookIn, Scene, area};
+use crate::random_faces::{faces, pose};
 use crate::reference::nearest_faces::Face;
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 

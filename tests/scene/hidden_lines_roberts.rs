@@ -11,9 +11,9 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
-use crate::depth_row::pose;
 use crate::hidden_lines;
 use crate::numbered_scene::{LookIn, area, color_of};
+use crate::random_faces::pose;
 use crate::snapped_faces::{at, camera, standard_pose};
 
 const WIDTH: u32 = 96;

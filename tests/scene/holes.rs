@@ -11,8 +11,8 @@ use zrow::{
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::area;
+use crate::random_faces::{faces, pose};
 use crate::reference::nearest_faces::Depth;
 use crate::shaded_scene::unit;
 use crate::snapped_faces::{camera, snapped};

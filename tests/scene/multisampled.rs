@@ -23,11 +23,11 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{Scene, area, depth_and_tolerance};
+use crate::random_faces::{faces, pose};
 use crate::reference::nearest_faces::{Face, owners};
-use crate::shaded_scene::{FourColors, Skinned};
-use crate::shading_looks::{assert_same_items, data};
+use crate::same_looks::assert_same_items;
+use crate::shaded_scene::{FourColors, Skinned, data};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
 
 const WIDTH: usize = 64;

@@ -10,8 +10,8 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{Format, LookIn, Scene, area, picture};
+use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{camera, standard_pose};
 
 type MemoryOf<S, D, const ACTIVE: usize> = Memory<LookIn<S, D>, 600, 128, 128, 64, ACTIVE>;

@@ -16,7 +16,7 @@ use zrow::{
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
+use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{at, camera};
 
 const WIDTH: usize = 48;

@@ -7,7 +7,7 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use fixed::types::{I16F16, U0F16};
-use proptest::prelude::*;
+use proptest::{prelude::*, strategy::ValueTree, test_runner::TestRunner};
 use zrow::{
     band::Band,
     geometry::{SubPixel, TooSmall},
@@ -18,6 +18,7 @@ use zrow::{
     },
 };
 
+use crate::common::config;
 use crate::common::meshes::Mesh;
 use crate::numbered_scene::area;
 use crate::reference::nearest_faces::Face;
@@ -177,6 +178,14 @@ pub fn vertex_data(count: usize) -> BoxedStrategy<VertexData> {
             light,
         })
         .boxed()
+}
+
+/// Normals, colours and texture coordinates of so many vertices, always the same ones.
+pub fn data(count: usize) -> VertexData {
+    vertex_data(count)
+        .new_tree(&mut TestRunner::new(config(1)))
+        .expect("a strategy without filters")
+        .current()
 }
 
 /// A shading that makes a model of any data.

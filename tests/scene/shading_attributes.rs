@@ -6,7 +6,7 @@ use zrow::scene::{Camera, Deep, Fine, Look, Pose};
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::pose;
+use crate::random_faces::pose;
 use crate::reference::nearest_faces::Face;
 use crate::shaded_scene::{
     Even, SmallMemory, UNTOUCHED, camera_in_units, covered, flat_corners, model, number, triangle, unit, words,

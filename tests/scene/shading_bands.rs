@@ -16,8 +16,8 @@ use zrow::{
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::area;
+use crate::random_faces::{faces, pose};
 use crate::shaded_scene::{Even, FourColors, InSpace, Shiny, Skinned, VertexData, vertex_data};
 use crate::snapped_faces::camera;
 

@@ -7,7 +7,7 @@ use zrow::scene::{Deep, Fine, Look, Pose};
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::pose;
+use crate::random_faces::pose;
 use crate::reference::nearest_faces::Face;
 use crate::shaded_scene::{
     Even, InSpace, SIZE, SmallMemory, UNTOUCHED, camera_in_units, flat_corners, model, number, triangle, unit, words,

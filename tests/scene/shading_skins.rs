@@ -23,8 +23,8 @@ use zrow::{
 use crate::common::channels::Channels;
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::area;
+use crate::random_faces::{faces, pose};
 use crate::reference::nearest_faces::{Depth, owners};
 use crate::shaded_scene::{SmallMemory, TEXELS, UNTOUCHED, camera_in_units, covered, flat_corners, triangle, words};
 use crate::snapped_faces::{at, camera, snapped};

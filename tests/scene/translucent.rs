@@ -15,12 +15,12 @@ use zrow::{
 
 use crate::common::meshes::{Mesh, cube, torus};
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
 use crate::holes::{
     EvenHoles, HEIGHT, Holed, Pattern, UNTOUCHED, WIDTH, any_coordinates, check_painted, drawn, leak, single, skins,
     twice,
 };
 use crate::numbered_scene::area;
+use crate::random_faces::{faces, pose};
 use crate::reference::nearest_faces::Depth;
 use crate::shaded_scene::unit;
 use crate::snapped_faces::{at, camera, snapped, standard_pose};

@@ -12,8 +12,8 @@ use zrow::{
 
 use crate::common::meshes::{self, Mesh};
 use crate::common::{cases, config, is_deep};
-use crate::depth_row::{faces, pose};
 use crate::numbered_scene::{LookIn, Scene, area, color_of};
+use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{camera, snapped, standard_pose};
 use crate::visibility::{HEIGHT, MemoryOf, WIDTH};
 

@@ -14,7 +14,7 @@ use zrow_methods::LookOf;
 
 use crate::common::meshes;
 use crate::numbered_scene::{Scene, area};
-use crate::shading_looks::{SameTypes, assert_same_items};
+use crate::same_looks::{SameTypes, assert_same_items};
 use crate::snapped_faces::{at, camera, standard_pose};
 
 /// What a look does with a scene.

@@ -10,7 +10,7 @@ use zrow::{
 
 use crate::common::meshes::Mesh;
 use crate::common::{cases, config};
-use crate::depth_row::{faces, pose};
+use crate::random_faces::{faces, pose};
 use crate::shaded_scene::{
     Even, InSpace, Numbers, SmallMemory, camera_in_units, flat_corners, model, number, triangle, words,
 };

@@ -3,10 +3,6 @@
 use std::{any::type_name, marker::PhantomData};
 
 use embedded_graphics::pixelcolor::Rgb565;
-use proptest::{
-    strategy::{Strategy, ValueTree},
-    test_runner::TestRunner,
-};
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
@@ -17,9 +13,10 @@ use zrow::{
     shade::{Attributes, Bilinear, Clamped, CutOut, Foggy, Gouraud, LitTextured, Shading, Texels, Textured},
 };
 
-use crate::common::{config, meshes};
+use crate::common::meshes;
 use crate::numbered_scene::area;
-use crate::shaded_scene::{FourColors, Shiny, Skinned, VertexData, vertex_data};
+use crate::same_looks::{Careful, assert_same_items};
+use crate::shaded_scene::{FourColors, Shiny, Skinned, data};
 use crate::snapped_faces::{at, camera, standard_pose};
 
 /// A look of a shading that is named in full.
@@ -49,15 +46,6 @@ struct Outcome {
     crowded: Result<Vec<u16>, InputError>,
     fraction_bits: u32,
     depth_bytes: usize,
-}
-
-/// Normals, colours and texture coordinates of so many vertices, always the same ones.
-pub fn data(count: usize) -> VertexData {
-    let mut runner = TestRunner::new(config(1));
-    vertex_data(count)
-        .new_tree(&mut runner)
-        .expect("a strategy without filters")
-        .current()
 }
 
 fn outcome<L: Look<Color = Rgb565, Shading: Skinned>>() -> Outcome {
@@ -101,47 +89,6 @@ macro_rules! for_each_pair {
     };
 }
 
-/// Looks of which all types are those of a look `L`.
-pub trait SameTypes<L: Look>:
-    Look<
-        Color = L::Color,
-        Shading = L::Shading,
-        Precision = L::Precision,
-        Depth = L::Depth,
-        Counting = L::Counting,
-        Silhouettes = L::Silhouettes,
-    >
-{
-}
-
-impl<L: Look, Same> SameTypes<L> for Same where
-    Same: Look<
-            Color = L::Color,
-            Shading = L::Shading,
-            Precision = L::Precision,
-            Depth = L::Depth,
-            Counting = L::Counting,
-            Silhouettes = L::Silhouettes,
-        >
-{
-}
-
-/// A look of which all types and constants are those of another: it draws the same, because nothing else of a look says what is
-/// drawn. What it keeps of attributes says only whether faces read some of them from their skin.
-pub fn assert_same_items<L: Look, Same: SameTypes<L>>() {
-    fn constants<L: Look>() -> [bool; 6] {
-        [
-            L::CLIPS,
-            L::DRAWS_IN_PASSES,
-            L::HURRIES,
-            L::IS_ORTHOGRAPHIC,
-            L::DRAWS_BACKS,
-            L::IS_MULTISAMPLED,
-        ]
-    }
-    assert_eq!(constants::<L>(), constants::<Same>(), "{}", type_name::<L>());
-}
-
 /// Compares the items of a pair of wrappers in both orders with those of the look that both name.
 macro_rules! check_items {
     ($one:ident, $other:ident, $shading:ident, $named:ty) => {
@@ -149,9 +96,6 @@ macro_rules! check_items {
         assert_same_items::<$other<$one<$shading>>, $named>();
     };
 }
-
-/// A look of a shading without cuts, passes and shortcuts, which counts.
-pub type Careful<H> = Whole<OnePass<Unhurried<Counted<Fine<Deep<H>>>>>>;
 
 /// Compares the items of every pair of wrappers around a shading.
 fn check_names<H: Skinned<Color = Rgb565>>() {
