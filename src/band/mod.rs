@@ -20,7 +20,7 @@ pub(crate) use blending::InLinearLight;
 pub(crate) use multisampling::Multisampled;
 pub(crate) use picture_loop::SceneResult;
 pub use picture_loop::{
-    BytesSink, DisplaySink, Dithered, LoopError, OverlappingSink, Page, PagesSink, PictureLoop, Rotated, Sink,
+    BytesSink, DisplaySink, Dithered, LoopError, OverlappingSink, Page, PagesSink, PanelRotation, PictureLoop, Sink,
     Supersampling,
 };
 

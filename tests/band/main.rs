@@ -14,7 +14,7 @@ mod faults;
 mod mipidsi;
 mod overlapping_loops;
 mod pages;
+mod panel_rotation;
 mod picture_loop;
-mod rotated;
 mod target_calls;
 mod targets;

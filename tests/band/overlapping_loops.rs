@@ -267,7 +267,7 @@ impl Wake for Wakes {
 }
 
 /// Polls a future to its end, and only when it has asked for it.
-fn block_on<T>(future: impl Future<Output = T>) -> T {
+pub fn block_on<T>(future: impl Future<Output = T>) -> T {
     let wakes = Arc::new(Wakes::default());
     let waker = Waker::from(wakes.clone());
     let mut future = Box::pin(future);

@@ -5,7 +5,7 @@ use embedded_graphics::{
     prelude::*,
     primitives::{Circle, PrimitiveStyle, Rectangle},
 };
-use zrow::band::{BandColor, DisplaySink, LittleEndian, PictureLoop, Rotated};
+use zrow::band::{Band, BandColor, DisplaySink, LittleEndian, PanelRotation, PictureLoop};
 
 use crate::{
     scene::{box_of, packed, picture, scene},
@@ -40,8 +40,11 @@ fn weact_by_its_partial_buffer() {
         .rows(8)
         .draw(
             &mut [0; 8 * 296],
-            &mut Rotated::by_270(picture_box, BytesSink(send)),
-            scene::<BinaryColor, LittleEndian>,
+            &mut BytesSink(send),
+            |band: &mut Band<'_, BinaryColor>| {
+                scene(band);
+                PanelRotation::by_270(picture_box).rotate(band);
+            },
         )
         .unwrap();
     let pixels = picture::<BinaryColor>(picture_box);

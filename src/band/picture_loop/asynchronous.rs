@@ -58,13 +58,12 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         };
         loop {
             let area = band.bounding_box();
-            let next_window = windows.next();
-            {
+            let next_window = {
                 let mut transfer = pin!(send(area, band.into_bytes()));
                 let first_poll = poll_fn(|context| Poll::Ready(transfer.as_mut().poll(context))).await;
-                let drawing = match next_window {
-                    Some(next_window) => self.draw_band(next_window, waiting, &mut scene).map(|_| ()),
-                    None => Ok(()),
+                let drawing = match windows.next() {
+                    Some(next) => self.draw_band(next, waiting, &mut scene).map(|band| Some(band.window)),
+                    None => Ok(None),
                 };
                 match first_poll {
                     Poll::Ready(sent) => sent,
@@ -72,8 +71,8 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
                 }
                 .map_err(LoopError::Sink)?;
                 // Returned only now, so that the display has the whole band before this one.
-                drawing?;
-            }
+                drawing?
+            };
             let Some(next_window) = next_window else {
                 trace!("{}: sent", self);
                 return Ok(());

@@ -4,16 +4,16 @@ mod asynchronous;
 mod dithered;
 mod overlapping;
 mod pages;
+mod panel_rotation;
 #[expect(clippy::module_inception, reason = "the loop without its variants")]
 mod picture_loop;
-mod rotated;
 mod sink;
 mod supersampling;
 
 pub use dithered::Dithered;
 pub use overlapping::OverlappingSink;
 pub use pages::{Page, PagesSink};
+pub use panel_rotation::PanelRotation;
 pub use picture_loop::{LoopError, PictureLoop, SceneResult};
-pub use rotated::Rotated;
 pub use sink::{BytesSink, DisplaySink, Sink};
 pub use supersampling::Supersampling;

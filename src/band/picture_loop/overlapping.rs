@@ -106,9 +106,11 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         let Some(mut window) = windows.next() else {
             return ([drawn, waiting], Ok(()));
         };
-        if let Err(error) = self.draw_band(window, drawn.as_mut(), &mut scene) {
-            return ([drawn, waiting], Err(error.into()));
-        }
+        // Drawn bands may have been rotated: what is sent is the window of the band, not that of the loop.
+        window = match self.draw_band(window, drawn.as_mut(), &mut scene) {
+            Ok(band) => band.window,
+            Err(error) => return ([drawn, waiting], Err(error.into())),
+        };
         loop {
             let transfer = match sink.start(window.to_rectangle(), drawn) {
                 Ok(transfer) => transfer,
@@ -121,21 +123,20 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
                     return ([buffer, waiting], Err(error));
                 }
             };
-            let next = windows.next();
-            let drawing = match next {
-                Some(next) => self.draw_band(next, waiting.as_mut(), &mut scene).map(|_| ()),
-                None => Ok(()),
+            let drawing = match windows.next() {
+                Some(next) => self
+                    .draw_band(next, waiting.as_mut(), &mut scene)
+                    .map(|band| Some(band.window)),
+                None => Ok(None),
             };
             let (buffer, sent) = sink.finish(transfer);
-            let result = sent.map_err(LoopError::Sink).and(drawing.map_err(LoopError::from));
-            match (result, next) {
-                (Ok(()), Some(next)) => (window, drawn, waiting) = (next, waiting, buffer),
-                (result, _) => {
-                    if result.is_ok() {
-                        trace!("{}: sent", self);
-                    }
-                    return ([buffer, waiting], result);
+            match sent.map_err(LoopError::Sink).and(drawing.map_err(LoopError::from)) {
+                Ok(Some(next)) => (window, drawn, waiting) = (next, waiting, buffer),
+                Ok(None) => {
+                    trace!("{}: sent", self);
+                    return ([buffer, waiting], Ok(()));
                 }
+                Err(error) => return ([buffer, waiting], Err(error)),
             }
         }
     }

@@ -52,7 +52,7 @@ pub const TARGETS: &[Target] = &[
     Target::new::<band::LoopCase>("band.picture_loop", &["band"]),
     Target::new::<band::OverlappingCase>("band.overlapping", &["band"]),
     Target::new::<band::PagesCase>("band.pages", &["band"]),
-    Target::new::<band::RotatedCase>("band.rotated", &["band"]),
+    Target::new::<band::PanelRotationCase>("band.panel_rotation", &["band"]),
     Target::new::<band::SupersamplingCase>("band.supersampling", &["band", "shade"]),
     Target::new::<closed::RectangleCase>("draw.rectangle", &["draw"]),
     Target::new::<closed::RoundedRectangleCase>("draw.rounded_rectangle", &["draw", "scan"]),

@@ -3,8 +3,8 @@
 mod memory;
 mod overlapping;
 mod pages;
+mod panel_rotation;
 mod picture_loop;
-mod rotated;
 mod supersampling;
 
 use arbitrary::Arbitrary;
@@ -22,8 +22,8 @@ use zrow::{
 pub use memory::MemoryCase;
 pub use overlapping::OverlappingCase;
 pub use pages::PagesCase;
+pub use panel_rotation::PanelRotationCase;
 pub use picture_loop::LoopCase;
-pub use rotated::RotatedCase;
 pub use supersampling::SupersamplingCase;
 
 use crate::values::{Hue, Length, List, Spot, Stage};

@@ -14,7 +14,7 @@ use embedded_graphics::{
 use zrow::{
     band::{
         Band, BandColor, BigEndian, BytesSink, DisplaySink, Dithered, LittleEndian, LoopError, Order, OverlappingSink,
-        Page, PagesSink, PictureLoop, Rotated, Sink, Supersampling,
+        Page, PagesSink, PanelRotation, PictureLoop, Sink, Supersampling,
     },
     coverage::{Bartlett, BoxFilter, Gaussian, Grid, Rooks, SamplePattern},
     geometry::TooSmall,
@@ -159,11 +159,11 @@ fn pages() {
 
 #[inline(never)]
 fn rotated<C: BandColor + 'static, O: Order>() {
-    type Bytes = BytesSink<fn(Rectangle, &[u8]) -> Result<(), Failure>>;
-    keep(Rotated::by_90(any(), any::<Bytes>()));
-    keep(Rotated::by_180(any(), any::<Bytes>()));
-    keep(Rotated::by_270(any(), any::<Bytes>()));
-    sink::<C, O, Rotated<Bytes>>();
+    keep(PanelRotation::by_90(any()));
+    keep(PanelRotation::by_180(any()));
+    keep(PanelRotation::by_270(any()));
+    keep(PanelRotation::rotate(any(), any::<&mut Band<'_, C, O>>()));
+    eq::<PanelRotation>();
     let mut band = any::<Band<'_, C, O>>();
     let mut in_picture = Band::<C, O>::in_picture(&mut band, any());
     keep(in_picture.bounding_box());

@@ -8,11 +8,11 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use zrow::{
-    band::{Band, PictureLoop, Rotated, Sink},
+    band::{Band, PanelRotation, PictureLoop},
     geometry::Window,
 };
 
-use super::{Broken, Scene};
+use super::Scene;
 use crate::{
     picture::background,
     target::{Case, Verdict},
@@ -21,7 +21,7 @@ use crate::{
 
 /// Bands of any height, each of which has to arrive where its pixels belong.
 #[derive(Debug, Arbitrary)]
-pub struct RotatedCase {
+pub struct PanelRotationCase {
     stage: Stage,
     quarter_turns: u8,
     scene: Scene,
@@ -29,12 +29,12 @@ pub struct RotatedCase {
     any_size: [Count; 2],
 }
 
-impl RotatedCase {
-    fn rotated<S>(&self, picture: Rectangle, sink: S) -> Rotated<S> {
+impl PanelRotationCase {
+    fn rotation(&self, picture: Rectangle) -> PanelRotation {
         match self.quarter_turns % 3 {
-            0 => Rotated::by_90(picture, sink),
-            1 => Rotated::by_180(picture, sink),
-            _ => Rotated::by_270(picture, sink),
+            0 => PanelRotation::by_90(picture),
+            1 => PanelRotation::by_180(picture),
+            _ => PanelRotation::by_270(picture),
         }
     }
 
@@ -54,22 +54,15 @@ impl RotatedCase {
         let [x, y, left, top] = self.any.map(|coordinate| coordinate.0);
         let size = Size::from(self.any_size.map(|count| count.0));
         let mut words = [0; 64];
-        let band = Band::<Rgb565>::new(Rectangle::new(Point::new(left, top), Size::new(16, 4)), &mut words)?;
-        let mut pixels = None;
-        let sink = |band: Band<'_, Rgb565>| {
-            pixels = Some((band.bounding_box().size, band.words().len()));
-            Ok::<(), Broken>(())
-        };
-        let picture = Rectangle::new(Point::new(x, y), size);
-        ensure!(self.rotated(picture, sink).send(band).is_ok());
-        if let Some((size, words)) = pixels {
-            ensure!((size.width * size.height) as usize == words, "{words} words for {size}");
-        }
+        let mut band = Band::<Rgb565>::new(Rectangle::new(Point::new(left, top), Size::new(16, 4)), &mut words)?;
+        self.rotation(Rectangle::new(Point::new(x, y), size)).rotate(&mut band);
+        let (size, words) = (band.bounding_box().size, band.words().len());
+        ensure!((size.width * size.height) as usize == words, "{words} words for {size}");
         Ok(())
     }
 }
 
-impl Case for RotatedCase {
+impl Case for PanelRotationCase {
     fn check(&self) -> Verdict {
         self.check_anywhere()?;
         let Self { stage, scene, .. } = self;
@@ -80,7 +73,7 @@ impl Case for RotatedCase {
         let Ok(()) = scene.draw(stage, 1, &mut band);
         let (left, top) = (i64::from(stage.window.left), i64::from(stage.window.top));
         let mut checked = 0;
-        let sink = |band: Band<'_, Rgb565>| {
+        let mut sink = |band: Band<'_, Rgb565>| {
             let panel = Window::from(band.bounding_box());
             let columns = panel.width() as usize;
             for (index, word) in band.words().iter().enumerate() {
@@ -96,13 +89,11 @@ impl Case for RotatedCase {
         };
         let picture_loop = PictureLoop::new(area, background()).rows(stage.rows);
         let mut words = vec![0; picture_loop.words_needed()];
-        let sent = picture_loop.draw(
-            &mut words,
-            &mut self.rotated(area, sink),
-            |band: &mut Band<'_, Rgb565>| {
-                let Ok(()) = scene.draw(stage, 1, band);
-            },
-        );
+        let rotation = self.rotation(area);
+        let sent = picture_loop.draw(&mut words, &mut sink, |band| {
+            let Ok(()) = scene.draw(stage, 1, band);
+            rotation.rotate(band);
+        });
         match sent {
             Ok(()) => {}
             Err(zrow::band::LoopError::Sink(error)) => return Err(error).context("a rotated band"),

@@ -20,39 +20,42 @@ use core::{cell::Cell, mem::swap};
 use embedded_graphics::primitives::Rectangle;
 
 use crate::{
-    band::{Band, Sink},
+    band::Band,
     geometry::Window,
     surface::{BandColor, Order},
 };
 
-/// A sink that rotates each band clockwise and hands it to another sink, for panels that are mounted sideways and whose
-/// controller cannot exchange rows and columns, as the SSD1306 and those of most e-paper cannot.
+/// Rotates finished bands clockwise, for panels that are mounted sideways and whose controller cannot exchange rows and columns,
+/// as the SSD1306 and those of most e-paper cannot.
 ///
-/// The picture loop draws the picture as the viewer sees it. The panel's box begins where the picture's does: a picture of
-/// 64 x 128 pixels at the origin goes to a panel of 128 x 64, from (0, 0) on. Bands go to the panel from its right to its left
-/// side after 90 degrees, from its left to its right after 270. Where the other sink packs pixels into bytes, the rows of a band
-/// have to be whole bytes of the panel: [`PictureLoop::rows`](crate::band::PictureLoop::rows) of 8 for one-bit pixels. A
+/// The picture loop draws the picture as the viewer sees it, and the last thing that its scene does is to rotate the band: in a loop
+/// that sends a band before it returns, by DMA or by futures alike. The panel's box begins where the picture's does: a picture of 64 x
+/// 128 pixels at the origin goes to a panel of 128 x 64, from (0, 0) on. Bands go to the panel from its right to its left side
+/// after 90 degrees, from its left to its right after 270. Where a sink packs pixels into bytes, the rows of a band have to be
+/// whole bytes of the panel: [`PictureLoop::rows`](crate::band::PictureLoop::rows) of 8 for one-bit pixels. A
 /// [`PagesSink`](crate::band::PagesSink) cannot follow, since it needs bands from top to bottom.
 ///
 /// Cost: a band of one row is sent as one column as it is, or reversed. One of more rows is transposed in place, in 3 to 7 steps a
-/// pixel (counted with 2 to 16 rows of 128 to 320 pixels), each a product and no division. RAM: 20 bytes beside the other sink.
+/// pixel (counted with 2 to 16 rows of 128 to 320 pixels), each a product and no division. RAM: 20 bytes.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
-/// use zrow::{band::{DisplaySink, PictureLoop, Rotated}, draw::{DrawOn, PrimitiveStyle}};
+/// use zrow::{band::{DisplaySink, PanelRotation, PictureLoop}, draw::{DrawOn, PrimitiveStyle}};
 ///
 /// let mut display = MockDisplay::<Rgb565>::new();
 /// let picture = Rectangle::new(Point::zero(), Size::new(24, 32));
 /// let line = Line::new(Point::new(3, 0), Point::new(20, 0)).into_styled(PrimitiveStyle::with_stroke(Rgb565::RED, 1));
-/// let mut sink = Rotated::by_90(picture, DisplaySink(&mut display));
-/// PictureLoop::new(picture, Rgb565::BLACK).draw(&mut [0; 24], &mut sink, |band| line.draw_on(band))?;
+/// let rotation = PanelRotation::by_90(picture);
+/// PictureLoop::new(picture, Rgb565::BLACK).draw(&mut [0; 24], &mut DisplaySink(&mut display), |band| {
+///     let Ok(()) = line.draw_on(band);
+///     rotation.rotate(band);
+/// })?;
 /// // The top of the picture is on the right side of a panel of 32 x 24.
 /// assert_eq!(display.get_pixel(Point::new(31, 20)), Some(Rgb565::RED));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-#[derive(Debug)]
-pub struct Rotated<S> {
-    sink: S,
+#[derive(Debug, Copy, Clone, PartialEq, Eq)]
+pub struct PanelRotation {
     picture: Window,
     quarter_turns: QuarterTurns,
 }
@@ -65,30 +68,56 @@ enum QuarterTurns {
     Three,
 }
 
-impl<S> Rotated<S> {
-    /// Rotates bands of a picture by 90 degrees clockwise: its first row becomes the last column. What would lie beyond the number
-    /// range of a `Point` is not sent.
-    pub fn by_90(picture: Rectangle, sink: S) -> Self {
-        Self::new(picture, sink, QuarterTurns::One)
+impl PanelRotation {
+    /// Rotates bands of a picture by 90 degrees clockwise: its first row becomes the last column.
+    pub fn by_90(picture: Rectangle) -> Self {
+        Self::new(picture, QuarterTurns::One)
     }
 
     /// Rotates bands of a picture by 180 degrees: its first row becomes the last one, from right to left.
-    pub fn by_180(picture: Rectangle, sink: S) -> Self {
-        Self::new(picture, sink, QuarterTurns::Two)
+    pub fn by_180(picture: Rectangle) -> Self {
+        Self::new(picture, QuarterTurns::Two)
     }
 
-    /// Rotates bands of a picture by 270 degrees clockwise: its first row becomes the first column, from bottom to top. What would
-    /// lie beyond the number range of a `Point` is not sent.
-    pub fn by_270(picture: Rectangle, sink: S) -> Self {
-        Self::new(picture, sink, QuarterTurns::Three)
+    /// Rotates bands of a picture by 270 degrees clockwise: its first row becomes the first column, from bottom to top.
+    pub fn by_270(picture: Rectangle) -> Self {
+        Self::new(picture, QuarterTurns::Three)
     }
 
-    fn new(picture: Rectangle, sink: S, quarter_turns: QuarterTurns) -> Self {
+    fn new(picture: Rectangle, quarter_turns: QuarterTurns) -> Self {
         Self {
-            sink,
             picture: picture.into(),
             quarter_turns,
         }
+    }
+
+    /// Rotates a band of the picture after all has been drawn into it: it stands for the panel's columns or rows from then on, so
+    /// that what were drawn later would be elsewhere. A band that would lie beyond the number range of a `Point` after 90
+    /// or 270 degrees has no pixels any more.
+    pub fn rotate<C: BandColor, O: Order>(&self, band: &mut Band<'_, C, O>) {
+        let Some(window) = self.on_the_panel(band.window) else {
+            let Window { left, top, .. } = band.window;
+            band.window = Window {
+                right: left,
+                bottom: top,
+                ..band.window
+            };
+            band.stride = 0;
+            band.words = &mut [];
+            return;
+        };
+        let (rows, columns) = (band.window.height() as usize, band.window.width() as usize);
+        if self.quarter_turns != QuarterTurns::Two {
+            transpose(band.words, rows, columns);
+        }
+        if self.quarter_turns != QuarterTurns::One {
+            reverse(band.words);
+        }
+        if self.quarter_turns != QuarterTurns::Two {
+            band.words.chunks_mut(rows.max(1)).for_each(reverse);
+        }
+        band.window = window;
+        band.stride = window.width() as usize;
     }
 
     /// The window of the panel that a part of the picture covers after its rotation; `None` where it would not fit the number
@@ -117,31 +146,6 @@ impl<S> Rotated<S> {
             top: coordinate(top, rows[0])?,
             right: coordinate(left, columns[1])?,
             bottom: coordinate(top, rows[1])?,
-        })
-    }
-}
-
-impl<C: BandColor, O: Order, S: Sink<C, O>> Sink<C, O> for Rotated<S> {
-    type Error = S::Error;
-
-    fn send(&mut self, band: Band<'_, C, O>) -> Result<(), S::Error> {
-        let Some(window) = self.on_the_panel(band.window) else {
-            return Ok(());
-        };
-        let (rows, columns) = (band.window.height() as usize, band.window.width() as usize);
-        if self.quarter_turns != QuarterTurns::Two {
-            transpose(band.words, rows, columns);
-        }
-        if self.quarter_turns != QuarterTurns::One {
-            reverse(band.words);
-        }
-        if self.quarter_turns != QuarterTurns::Two {
-            band.words.chunks_mut(rows.max(1)).for_each(reverse);
-        }
-        self.sink.send(Band {
-            window,
-            stride: window.width() as usize,
-            ..band
         })
     }
 }
@@ -212,8 +216,8 @@ fn reverse<W>(words: &mut [W]) {
 }
 
 #[cfg(feature = "defmt")]
-impl<S> defmt::Format for Rotated<S> {
+impl defmt::Format for PanelRotation {
     fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "Rotated {}", self.picture);
+        defmt::write!(formatter, "PanelRotation of {}", self.picture);
     }
 }
