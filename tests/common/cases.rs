@@ -11,7 +11,8 @@ fn depth() -> f64 {
     share.unwrap_or_else(|| panic!("ZROW_DEEP={value}: take a number from 0 to 1, such as 1 for all deep cases"))
 }
 
-/// Whether the environment variable `ZROW_DEEP` is above 0, as it is in `.ci/run`: everything is tried, however long it takes.
+/// Whether the environment variable `ZROW_DEEP` is above 0, as it is in `.ci/run`: for what takes a second or two and has no cases of
+/// which a share could be taken.
 pub fn is_deep() -> bool {
     depth() > 0.0
 }

@@ -10,7 +10,7 @@ use zrow::{
 };
 
 use crate::common::meshes::{self, Mesh};
-use crate::common::{cases, config, is_deep};
+use crate::common::{cases, config};
 use crate::numbered_scene::{Format, Scene, area, picture};
 use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{at, camera, standard_pose};
@@ -364,7 +364,7 @@ fn hidden_lines_of_standard_scenes() {
     let (torus, ball, cube) = (meshes::torus(), meshes::icosphere(1.4), meshes::cube(0.5));
     let (of_torus, of_ball, of_cube) = (table::<576>(&torus), table::<320>(&ball), table::<12>(&cube));
     let (mut lengths, mut repeated) = (Lengths::default(), 0);
-    for frame in 0..if is_deep() { 16 } else { 4 } {
+    for frame in 0..cases(4, 16) as u16 {
         let pose = standard_pose(frame * 5 + 1);
         for (meshes, tables) in [
             (vec![torus.clone(), cube.clone()], &[&of_torus[..], &of_cube][..]),

@@ -14,7 +14,7 @@ use zrow::{
     },
 };
 
-use crate::common::is_deep;
+use crate::common::cases;
 use crate::numbered_scene::area;
 use crate::snapped_faces::at;
 
@@ -175,11 +175,6 @@ fn lambert<const POINTS: usize>(points: [PointLight; POINTS]) -> Lambert<0, POIN
     }
 }
 
-/// The number of random cases.
-fn cases() -> u32 {
-    if is_deep() { 1_000_000 } else { 50_000 }
-}
-
 /// A light, mostly not far from a vertex of a model.
 fn near(random: &mut Random, pose: &Pose, vertex: [i16; 3]) -> PointLight {
     let mut light = random.point();
@@ -201,7 +196,7 @@ fn near(random: &mut Random, pose: &Pose, vertex: [i16; 3]) -> PointLight {
 #[test]
 fn lights_from_points_are_those_of_floating_point() {
     let (mut random, camera) = (Random(0x0123_4567), camera());
-    for _ in 0..cases() {
+    for _ in 0..cases(50_000, 1_000_000) {
         let pose = Pose::new(random.rotation(), random.position());
         let (vertex, normal) = (random.vertex(), random.normal());
         let point = near(&mut random, &pose, vertex);
@@ -221,7 +216,7 @@ fn lights_from_points_are_those_of_floating_point() {
 #[test]
 fn lights_add_up() {
     let (mut random, camera) = (Random(0x2468_ace1), camera());
-    for _ in 0..cases() / 4 {
+    for _ in 0..cases(50_000, 1_000_000) / 4 {
         let pose = Pose::new(random.rotation(), random.position());
         let (vertex, normal) = (random.vertex(), random.normal());
         let points = [(); 3].map(|()| near(&mut random, &pose, vertex));
@@ -286,7 +281,7 @@ fn lights_from_points_end_somewhere() {
 #[test]
 fn highlights_are_those_of_floating_point() {
     let (mut random, camera) = (Random(0x89ab_cdef), camera());
-    for case in 0..cases() {
+    for case in 0..cases(50_000, 1_000_000) {
         let pose = Pose::new(random.rotation(), random.position());
         let vertex = random.vertex();
         let point = near(&mut random, &pose, vertex);

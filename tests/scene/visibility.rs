@@ -15,7 +15,7 @@ use zrow::{
 };
 
 use crate::common::meshes::{self, Mesh};
-use crate::common::{cases, config, is_deep};
+use crate::common::{cases, config};
 use crate::numbered_scene::{Format, LookIn, Scene, area, color_of};
 use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{camera, snapped, standard_pose};
@@ -218,7 +218,7 @@ pub fn check_models(models: &[Model<'_, Rgb888>]) -> usize {
 
 #[test]
 fn standard_scenes_by_all_methods() {
-    let frames = if is_deep() { 16 } else { 2 };
+    let frames = cases(2, 16) as u16;
     for frame in 0..frames {
         let pose = standard_pose(frame * 5 + 1);
         for meshes in meshes::standard_scenes() {

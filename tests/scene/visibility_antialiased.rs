@@ -14,7 +14,7 @@ use zrow_scenes::teapot::TEAPOT;
 
 use crate::antialiased::{COLORS, OFF, Surface, background, coverage, difference, mixed, on_edges};
 use crate::common::meshes::{self, Mesh, cube, icosphere, torus};
-use crate::common::{cases, config, is_deep};
+use crate::common::{cases, config};
 use crate::holes::{any_coordinates, leak};
 use crate::numbered_scene::area;
 use crate::random_faces::{faces, pose};
@@ -152,7 +152,7 @@ fn check_meshes(meshes: Vec<Mesh>, pose: Pose) -> usize {
 
 #[test]
 fn standard_scenes_have_the_picture_of_the_depth_row() {
-    let frames = if is_deep() { 16 } else { 2 };
+    let frames = cases(2, 16) as u16;
     for frame in 0..frames {
         let mut changed = 0;
         for meshes in meshes::standard_scenes() {
@@ -167,8 +167,7 @@ fn standard_scenes_have_the_picture_of_the_depth_row() {
 fn the_teapot_has_the_picture_of_the_depth_row() {
     let surface = Surface::new(Mesh::new(TEAPOT.vertices().to_vec(), TEAPOT.faces().to_vec()));
     let colors = colors(&surface.mesh);
-    let frames: &[u16] = if is_deep() { &[0, 9, 17, 26, 31] } else { &[9] };
-    for &frame in frames {
+    for frame in [9, 0, 17, 26, 31].into_iter().take(cases(1, 5) as usize) {
         let mut pose = standard_pose(frame);
         // So far away that the near plane cuts no face.
         pose.translation = at(0, 0, 900);
@@ -403,7 +402,7 @@ fn check_walls(bodies: &[Mesh; 2], turned: Rotation, walls: &[Wall]) -> (f64, us
 fn translucent_faces_are_seen_beside_silhouettes() {
     let (green, grey) = (Rgb888::new(0, 230, 40), Rgb888::new(90, 90, 90));
     let bodies = [cube(0.2), icosphere(0.9)];
-    let frames = if is_deep() { 32 } else { 6 };
+    let frames = cases(6, 32) as u16;
     for frame in 0..frames {
         let turned = standard_pose(frame).rotation;
         // In front of all, between both bodies, behind both: the depth row leaves out the latter two.

@@ -12,7 +12,7 @@ use zrow::{
     visible::{GridRayCasting, RayCasting, SolidCombination, SolidNode, Visibility},
 };
 
-use crate::common::is_deep;
+use crate::common::cases;
 use crate::common::meshes::{self, Mesh};
 use crate::numbered_scene::{Scene, area, color_of, depth_and_tolerance};
 use crate::snapped_faces::{at, camera, snapped, standard_pose};
@@ -103,7 +103,7 @@ fn cameras(next: &mut impl FnMut(i32) -> i32) -> Camera {
 
 #[test]
 fn rays_march_through_grids_of_any_camera() {
-    for seed in 1..if is_deep() { 400 } else { 25 } {
+    for seed in 1..=u64::from(cases(24, 399)) {
         let mut next = numbers(seed);
         let size = [60, 700, 5_000, 30_000][next(4) as usize];
         let count = 4 + next(60) as u16;
@@ -398,7 +398,7 @@ fn combinations_of<L: Look<Color = Rgb888, Shading = Rgb888>>(seed: u64, distanc
 #[test]
 fn combinations_are_those_of_exact_arithmetic() {
     let mut compared = 0;
-    for seed in 1..if is_deep() { 30 } else { 5 } {
+    for seed in 1..=u64::from(cases(4, 29)) {
         compared += combinations_of::<DoubleSided<Rgb888>>(seed, 1_400..1_900);
         compared += combinations_of::<DoubleSided<Fine<Deep<Rgb888>>>>(seed, 1_400..1_900);
         compared += combinations_of::<Orthographic<DoubleSided<Deep<Rgb888>>>>(seed, 1_400..1_900);
@@ -410,7 +410,7 @@ fn combinations_are_those_of_exact_arithmetic() {
 #[test]
 fn combinations_cut_open_by_the_near_plane() {
     let mut compared = 0;
-    for seed in 1..if is_deep() { 30 } else { 5 } {
+    for seed in 1..=u64::from(cases(4, 29)) {
         compared += combinations_of::<DoubleSided<Fine<Deep<Rgb888>>>>(seed, 0..500);
     }
     assert!(compared > 5_000, "{compared}");
@@ -418,7 +418,7 @@ fn combinations_cut_open_by_the_near_plane() {
 
 #[test]
 fn combinations_obey_the_laws_of_sets() {
-    for seed in 1..if is_deep() { 20 } else { 4 } {
+    for seed in 1..=u64::from(cases(3, 19)) {
         let mut next = numbers(seed);
         let (scene, [a, b, c]) = three_solids(&mut next);
         let models = random_models(&scene, &mut next, 1_300..1_700);
@@ -455,7 +455,7 @@ fn combinations_obey_the_laws_of_sets() {
 fn a_union_of_disjoint_solids_is_the_picture_of_the_depth_row() {
     let scene = Scene::new(vec![meshes::torus(), meshes::cube(0.3), meshes::icosphere(0.4)]);
     let [a, b, c] = [0..576, 576..588, 588..908].map(Solid::Faces);
-    for frame in 0..if is_deep() { 30 } else { 6 } {
+    for frame in 0..cases(6, 30) as u16 {
         let mut models = scene.models(standard_pose(frame));
         models[1].pose.translation[0] = I16F16::from_num(1_100);
         models[2].pose.translation[2] = I16F16::from_num(3_000);

@@ -4,7 +4,7 @@ use fixed::types::U0F16;
 use zrow::scene::{Pose, Rotation};
 use zrow_scenes::teapot::TEAPOT;
 
-use crate::common::is_deep;
+use crate::common::cases;
 use crate::common::meshes::{self, Mesh};
 use crate::numbered_scene::Scene;
 use crate::snapped_faces::{at, standard_pose};
@@ -42,8 +42,7 @@ fn thirty_models_by_all_methods() {
 #[test]
 fn the_teapot_by_all_methods() {
     let scene = Scene::new(vec![Mesh::new(TEAPOT.vertices().to_vec(), TEAPOT.faces().to_vec())]);
-    let frames: &[u16] = if is_deep() { &[0, 9, 17, 26, 31] } else { &[9] };
-    for &frame in frames {
+    for frame in [9, 0, 17, 26, 31].into_iter().take(cases(1, 5) as usize) {
         let mut pose = standard_pose(frame);
         pose.translation = at(0, 0, 600);
         let shown = check_models(&scene.models(pose));

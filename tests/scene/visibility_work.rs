@@ -11,7 +11,7 @@ use zrow::{
 };
 
 use crate::common::meshes::{self, Mesh};
-use crate::common::{cases, config, is_deep};
+use crate::common::{cases, config};
 use crate::numbered_scene::{LookIn, Scene, area, color_of};
 use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{camera, snapped, standard_pose};
@@ -235,7 +235,7 @@ fn check_windows(prepared: &mut Frame<'_, '_>) {
 
 #[test]
 fn work_in_standard_scenes() {
-    let frames = if is_deep() { 16 } else { 2 };
+    let frames = cases(2, 16) as u16;
     for frame in 0..frames {
         let pose = standard_pose(frame * 5 + 1);
         check_all(vec![meshes::torus(), meshes::cube(0.5)], pose);

@@ -12,7 +12,7 @@ use zrow::{
     visible::{DepthState, PolygonOffset},
 };
 
-use crate::common::is_deep;
+use crate::common::cases;
 use crate::common::meshes::{self, Mesh};
 use crate::numbered_scene::{Format, LookIn, Scene, area};
 use crate::reference::nearest_faces::Face;
@@ -180,7 +180,7 @@ fn in_all_formats(meshes: &[Mesh], pose: Pose) -> Counts {
 
 #[test]
 fn wireframes_over_their_own_faces_miss_no_pixel() {
-    let frames = if is_deep() { 16 } else { 1 };
+    let frames = cases(1, 16) as u16;
     for frame in 0..frames {
         let pose = standard_pose(frame * 5 + 1);
         for meshes in meshes::standard_scenes() {
