@@ -32,8 +32,9 @@ const BEHIND: Rgb888 = Rgb888::new(0xff, 0xff, 0xff);
 /// A test of where a point lies with respect to a polygon.
 type PointTest = fn(&[&[Point]], FillRule, &Point) -> Location;
 
-/// The picture in bands of this size, from below or from above, each drawn by the closure.
-pub fn in_bands([width, height]: [u32; 2], upwards: bool, mut draw: impl FnMut(&mut Band<'_, Rgb888>)) -> Vec<u32> {
+/// The picture in bands of this size, from below or from above, each drawn by the closure. Not generic, because each method in each
+/// look has a closure of its own, for which it would be compiled anew.
+pub fn in_bands([width, height]: [u32; 2], upwards: bool, draw: &mut dyn FnMut(&mut Band<'_, Rgb888>)) -> Vec<u32> {
     let mut drawn = vec![0; PIXELS];
     let mut tops: Vec<u32> = (0..HEIGHT).step_by(height as usize).collect();
     if upwards {
@@ -73,9 +74,13 @@ fn check_in_bands<L: Look<Color = Rgb888, Shading = Rgb888>>(
     method: &mut impl Visibility<L::Depth>,
     (size, upwards): ([u32; 2], bool),
 ) {
-    let drawn = in_bands(size, upwards, |band| prepared.draw_by(method, band).unwrap());
-    let differing = drawn.iter().zip(expected).filter(|(drawn, expected)| drawn != expected);
-    assert_eq!(differing.count(), 0, "{name}, bands of {size:?}");
+    let drawn = in_bands(size, upwards, &mut |band| prepared.draw_by(method, band).unwrap());
+    assert_eq!(differing(&drawn, expected), 0, "{name}, bands of {size:?}");
+}
+
+/// How many words of two pictures differ.
+pub fn differing(one: &[u32], other: &[u32]) -> usize {
+    one.iter().zip(other).filter(|(one, other)| one != other).count()
 }
 
 /// Warnock's algorithm with room for all faces, for some and for none, and with each test of windows.
@@ -144,7 +149,7 @@ fn check_picking<L: Look>(prepared: &Prepared<'_, '_, L>, camera: &Camera) {
 fn check_all<S: Format<D>, D: DepthWidth>(models: &[Model<'_, Rgb888>], camera: &Camera) -> usize {
     let mut memory = Box::new(MemoryOf::<S, D>::new());
     let mut prepared = memory.prepare(camera, models).unwrap();
-    let expected = in_bands([WIDTH, HEIGHT], false, |band| prepared.draw(band));
+    let expected = in_bands([WIDTH, HEIGHT], false, &mut |band| prepared.draw(band));
     let shown = expected.iter().filter(|word| **word != BEHIND.into_storage()).count();
     check(
         &mut prepared,

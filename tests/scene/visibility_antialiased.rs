@@ -19,6 +19,7 @@ use crate::holes::{any_coordinates, leak};
 use crate::numbered_scene::area;
 use crate::random_faces::{faces, pose};
 use crate::snapped_faces::{at, camera, standard_pose};
+use crate::visibility::differing;
 use crate::visibility_depth_sort::{cycle, penetrating};
 use crate::visibility_shading::Even;
 
@@ -27,7 +28,9 @@ type Many<L> = Memory<L, 3_000, 1_500, 64, 64, 300>;
 type Image = Indexed<Rgb888, 2, 4, 4>;
 
 /// The picture over the background in bands of this size, from above or from below, each drawn by the closure.
-fn in_bands([width, height]: [u32; 2], upwards: bool, mut draw: impl FnMut(&mut Band<'_, Rgb888>)) -> Vec<u32> {
+/// The picture in bands of this size, from below or from above, each drawn by the closure. Not generic, as that of the other tests of
+/// visibility.
+fn in_bands([width, height]: [u32; 2], upwards: bool, draw: &mut dyn FnMut(&mut Band<'_, Rgb888>)) -> Vec<u32> {
     let mut picture = vec![0; (SIDE * SIDE) as usize];
     let mut tops: Vec<u32> = (0..SIDE).step_by(height as usize).collect();
     if upwards {
@@ -48,27 +51,36 @@ fn in_bands([width, height]: [u32; 2], upwards: bool, mut draw: impl FnMut(&mut 
 }
 
 fn by_row<L: Look<Color = Rgb888>>(prepared: &mut Prepared<'_, '_, L>) -> Vec<u32> {
-    in_bands([SIDE, SIDE], false, |band| prepared.draw(band))
+    in_bands([SIDE, SIDE], false, &mut |band| prepared.draw(band))
 }
 
 /// Compares the pictures of the painter with that of the depth row, in bands of several sizes.
 fn check_painter<L: Look<Color = Rgb888>, const SPLITS: usize>(prepared: &mut Prepared<'_, '_, L>, expected: &[u32]) {
     for (size, upwards) in [([SIDE, SIDE], false), ([SIDE, 1], false), ([23, 11], true)] {
         let mut method = DepthSort::<1_500, SPLITS>::new();
-        let painted = in_bands(size, upwards, |band| prepared.draw_by(&mut method, band).unwrap());
-        let differing: Vec<_> = (0..painted.len()).filter(|at| painted[*at] != expected[*at]).collect();
-        let first = differing.first().map_or(0, |at| *at);
-        assert!(
-            differing.is_empty(),
-            "{} pixels differ, the first is {}, {}: {:06x}, not {:06x}; bands of {size:?}, {SPLITS} conditions, {}",
-            differing.len(),
-            first % SIDE as usize,
-            first / SIDE as usize,
-            painted[first],
-            expected[first],
-            std::any::type_name::<L>(),
+        let painted = in_bands(size, upwards, &mut |band| prepared.draw_by(&mut method, band).unwrap());
+        let look = std::any::type_name::<L>();
+        check_same(
+            &painted,
+            expected,
+            format_args!("bands of {size:?}, {SPLITS} conditions, {look}"),
         );
     }
+}
+
+/// Compares two pictures.
+fn check_same(painted: &[u32], expected: &[u32], how: std::fmt::Arguments<'_>) {
+    let differing: Vec<_> = (0..painted.len()).filter(|at| painted[*at] != expected[*at]).collect();
+    let first = differing.first().map_or(0, |at| *at);
+    assert!(
+        differing.is_empty(),
+        "{} pixels differ, the first is {}, {}: {:06x}, not {:06x}; {how}",
+        differing.len(),
+        first % SIDE as usize,
+        first / SIDE as usize,
+        painted[first],
+        expected[first],
+    );
 }
 
 /// Compares both in a look; returns how many pixels the silhouettes change.
@@ -85,7 +97,7 @@ where
     check_painter::<_, 2_000>(&mut prepared, &expected);
     // The depth row goes on after the painter, and the painter after the depth row.
     let (mut method, mut number) = (DepthSort::<1_500, 100>::new(), 0);
-    let by_both = in_bands([SIDE, 5], false, |band| {
+    let by_both = in_bands([SIDE, 5], false, &mut |band| {
         number += 1;
         if number % 3 == 0 {
             prepared.draw(band);
@@ -95,11 +107,7 @@ where
     });
     assert!(by_both == expected, "by both in turn");
     let aliased = by_row(&mut plain.prepare(&camera, models).unwrap());
-    aliased
-        .iter()
-        .zip(&expected)
-        .filter(|(one, other)| one != other)
-        .count()
+    differing(&aliased, &expected)
 }
 
 fn color(word: u32) -> Rgb888 {
@@ -197,7 +205,7 @@ fn splits_are_no_silhouettes() {
     let mut prepared = memory.prepare(&camera, &models).unwrap();
     let mut method = DepthSort::<16, 16>::new();
     let (mut splits, mut pixels) = (0, 0);
-    let painted = in_bands([SIDE, SIDE], false, |band| {
+    let painted = in_bands([SIDE, SIDE], false, &mut |band| {
         let report = |work| match work {
             Work::Split { .. } => splits += 1,
             Work::Painted { span, .. } => pixels += span.end - span.start,
@@ -263,12 +271,12 @@ where
     let mut pictures = vec![];
     for (size, upwards) in [([SIDE, SIDE], false), ([29, 7], true)] {
         let mut method = DepthSort::<1_500, 0>::new();
-        pictures.push(in_bands(size, upwards, |band| {
+        pictures.push(in_bands(size, upwards, &mut |band| {
             prepared.draw_by(&mut method, band).unwrap()
         }));
     }
     let mut with_parts = DepthSort::<1_500, 500>::new();
-    let painted = in_bands([SIDE, 9], false, |band| {
+    let painted = in_bands([SIDE, 9], false, &mut |band| {
         prepared.draw_by(&mut with_parts, band).unwrap()
     });
     assert!(
@@ -367,8 +375,15 @@ fn check_walls(bodies: &[Mesh; 2], turned: Rotation, walls: &[Wall]) -> (f64, us
     let parts = [0..first, first..first + bodies[1].faces.len()].map(|orders| coverage(&prepared, orders, false));
     let by_row = by_row(&mut prepared);
     let mut method = DepthSort::<1_500, 100>::new();
-    let painted = in_bands([SIDE, 9], false, |band| prepared.draw_by(&mut method, band).unwrap());
-    assert!(painted == in_bands([SIDE, SIDE], false, |band| prepared.draw_by(&mut method, band).unwrap()));
+    let painted = in_bands([SIDE, 9], false, &mut |band| {
+        prepared.draw_by(&mut method, band).unwrap()
+    });
+    assert!(
+        painted
+            == in_bands([SIDE, SIDE], false, &mut |band| prepared
+                .draw_by(&mut method, band)
+                .unwrap())
+    );
     let (mut row_is_off, mut on_one) = (0.0f64, 0);
     for (index, point) in area(SIDE, SIDE).points().enumerate() {
         let is_partial = |part: &&Vec<f64>| (1e-9..1.0 - 1e-9).contains(&part[index]);
@@ -433,13 +448,15 @@ fn all_capacities() {
         let expected = by_row(&mut prepared);
         let mut method = DepthSort::<FACES, SPLITS>::new();
         let mut result = Ok(());
-        let painted = in_bands([SIDE, SIDE], false, |band| result = prepared.draw_by(&mut method, band));
+        let painted = in_bands([SIDE, SIDE], false, &mut |band| {
+            result = prepared.draw_by(&mut method, band)
+        });
         if FACES >= needed {
             assert_eq!(result, Ok(()));
             assert!(painted == expected, "{FACES}, {SPLITS}");
         } else {
             assert_eq!(result, Err(TooSmall::Faces(needed)));
-            assert!(painted == in_bands([SIDE, SIDE], false, |_| {}));
+            assert!(painted == in_bands([SIDE, SIDE], false, &mut |_| {}));
         }
     }
     let surfaces = [cycle(), penetrating()].map(Surface::new);
@@ -495,7 +512,9 @@ fn what_ends_in_front_of_a_cut_face_is_mixed_with_it() {
     let mut prepared = memory.prepare(&camera, &models).unwrap();
     let part = coverage(&prepared, 0..body.mesh.faces.len(), false);
     let by_row = by_row(&mut prepared);
-    let painted = in_bands([SIDE, SIDE], false, |band| prepared.draw_by(&mut method, band).unwrap());
+    let painted = in_bands([SIDE, SIDE], false, &mut |band| {
+        prepared.draw_by(&mut method, band).unwrap()
+    });
     let (mut over_floor, mut over_background, mut row_is_off) = (0, 0, 0.0f64);
     for (index, word) in painted.into_iter().enumerate() {
         let expected = mixed(red[0], color(floor[index]), part[index].min(1.0));

@@ -21,11 +21,11 @@ fn counters<const FACES: usize, const SPLITS: usize>(meshes: Vec<Mesh>, pose: Po
     let models = scene.models(pose);
     let mut memory = Box::new(MemoryOf::<Sub4, u16>::new());
     let mut prepared = memory.prepare(&camera, &models).unwrap();
-    let expected = in_bands(FRAME, false, |band| prepared.draw(band));
+    let expected = in_bands(FRAME, false, &mut |band| prepared.draw(band));
     let name = format!("{FACES} faces, {SPLITS} conditions");
     check(&mut prepared, &expected, &name, &mut DepthSort::<FACES, SPLITS>::new());
     let mut method = DepthSort::<FACES, SPLITS>::new();
-    in_bands(FRAME, false, |band| prepared.draw_by(&mut method, band).unwrap());
+    in_bands(FRAME, false, &mut |band| prepared.draw_by(&mut method, band).unwrap());
     *method.counters()
 }
 
@@ -99,8 +99,8 @@ fn counters_of_a_picture(mesh: Mesh, pose: Pose) -> DepthSortCounters {
     let mut memory = Box::new(MemoryOf::<Sub4, u16>::new());
     let mut method = DepthSort::<16, 0>::new();
     let mut prepared = memory.prepare(&camera, &models).unwrap();
-    let found = in_bands(FRAME, false, |band| prepared.draw_by(&mut method, band).unwrap());
-    assert_eq!(found, in_bands(FRAME, false, |band| prepared.draw(band)));
+    let found = in_bands(FRAME, false, &mut |band| prepared.draw_by(&mut method, band).unwrap());
+    assert_eq!(found, in_bands(FRAME, false, &mut |band| prepared.draw(band)));
     *method.counters()
 }
 
@@ -241,7 +241,7 @@ fn all_capacities() {
         let models = scene.models(ahead(1300));
         let mut memory = Box::new(MemoryOf::<Sub4, u16>::new());
         let mut prepared = memory.prepare(&camera, &models).unwrap();
-        let expected = in_bands(FRAME, false, |band| prepared.draw(band));
+        let expected = in_bands(FRAME, false, &mut |band| prepared.draw(band));
         let mut method = DepthSort::<FACES, SPLITS>::new();
         if FACES >= 7 {
             check(&mut prepared, &expected, &format!("{FACES}, {SPLITS}"), &mut method);
