@@ -100,6 +100,7 @@ fn memory<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, c
         any(),
     ));
     look::<LookOf<C, S, D, CUTS>>();
+    other_orders::<LookOf<C, S, D, CUTS>>();
 }
 
 /// A scene in the samples of a band.
@@ -123,17 +124,12 @@ fn samples<L: Look<Color: ChannelColor>, P: SamplePattern + 'static>() {
     ));
 }
 
-/// What has no capacity in its type.
+/// What has no capacity in its type, each way to draw in one order of bytes.
 #[inline(never)]
 fn look<L: Look>() {
     keep(Frame::<L>::prepare(any(), any(), any()));
     keep(Prepared::<L>::draw::<LittleEndian>(any(), any()));
-    keep(Prepared::<L>::draw::<BigEndian>(any(), any()));
-    keep(Prepared::<L>::draw_with::<LittleEndian>(any(), any(), |row| {
-        keep(row.y());
-        row_target(row.at_depth(any()));
-        keep(row);
-    }));
+    draw_with::<L, BigEndian>();
     keep(Prepared::<L>::rows_without_depth(any()));
     keep(Prepared::<L>::rows_in_passes(any()));
     keep(Prepared::<L>::active_needed(any()));
@@ -145,6 +141,23 @@ fn look<L: Look>() {
         keep(point);
     }
     keep_all(Prepared::<L>::edges(any(), any(), any()));
+}
+
+/// Each way to draw in the other order of bytes than in [`look`]: for looks of each precision and depth alone, because each drawing
+/// of a look takes seconds to compile, and an order only swaps the bytes of a word.
+#[inline(never)]
+fn other_orders<L: Look>() {
+    keep(Prepared::<L>::draw::<BigEndian>(any(), any()));
+    draw_with::<L, LittleEndian>();
+}
+
+#[inline(never)]
+fn draw_with<L: Look, O: Order + 'static>() {
+    keep(Prepared::<L>::draw_with::<O>(any(), any(), |row| {
+        keep(row.y());
+        row_target(row.at_depth(any()));
+        keep(row);
+    }));
 }
 
 #[inline(never)]
