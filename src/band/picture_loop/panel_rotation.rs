@@ -34,6 +34,7 @@ use crate::{
 /// after 90 degrees, from its left to its right after 270. Where a sink packs pixels into bytes, the rows of a band have to be
 /// whole bytes of the panel: [`PictureLoop::rows`](crate::band::PictureLoop::rows) of 8 for one-bit pixels. A
 /// [`PagesSink`](crate::band::PagesSink) cannot follow, since it needs bands from top to bottom.
+/// In a [`Supersampling`](crate::band::Supersampling), whose scene draws samples, a closure around the sink rotates the band instead.
 ///
 /// Cost: a band of one row is sent as one column as it is, or reversed. One of more rows is transposed in place, in 3 to 7 steps a
 /// pixel (counted with 2 to 16 rows of 128 to 320 pixels), each a product and no division. RAM: 20 bytes.

@@ -454,7 +454,24 @@ where
     type Error = S::Error;
 
     fn send(&mut self, band: Band<'_, C, O>) -> Result<(), S::Error> {
-        let first = band.window.top - self.display.top * N as i32;
+        let Window {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.display;
+        let [left, top, right, bottom] = [left, top, right, bottom].map(|side| side * N as i32);
+        let samples = Window {
+            left,
+            top,
+            right,
+            bottom,
+        };
+        // A band that its scene has rotated need not be one of samples.
+        if band.window.left != left || band.window.intersection(&samples) != band.window {
+            return Ok(());
+        }
+        let first = band.window.top - top;
         for (sample_row, samples) in (first..).zip(band.words.chunks_exact_mut(band.stride.max(1))) {
             self.add_row::<O>(samples, sample_row);
             for open in self.open_rows(sample_row).filter(|open| open.is_finished) {
