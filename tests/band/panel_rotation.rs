@@ -10,6 +10,7 @@ use embedded_graphics::{
 };
 use zrow::band::{
     Band, BigEndian, BytesSink, LittleEndian, LoopError, Order, OverlappingSink, PanelRotation, PictureLoop,
+    Supersampling,
 };
 
 use crate::{
@@ -26,7 +27,7 @@ fn rotation(turns: i32, picture: Rectangle) -> PanelRotation {
     }
 }
 
-/// Where a pixel of a picture is after so many quarter turns.
+/// The position of a pixel of a picture that is rotated clockwise by so many quarter turns.
 fn turned(point: Point, turns: i32, picture: Rectangle) -> Point {
     let Size { width, height } = picture.size;
     let (Point { x, y }, right, bottom) = (point - picture.top_left, width as i32 - 1, height as i32 - 1);
@@ -130,7 +131,7 @@ fn check<C: SceneColor, O: Order>(part: Rectangle, picture: Rectangle) {
     }
 }
 
-/// What an area of a panel is as bytes.
+/// The bytes of an area of a panel, row by row.
 fn bytes_of<C: SceneColor, O: Order>(panel: &Panel<C>, area: Rectangle) -> Vec<u8> {
     let mut words: Vec<_> = area
         .points()
@@ -211,6 +212,82 @@ fn a_picture_at_the_end_of_the_number_range_is_left_out() {
                 .unwrap();
             let expected = if sent || turns == 2 { 8 } else { 0 };
             assert_eq!(pixels, expected, "{picture:?}, {turns} quarter turns");
+        }
+    }
+}
+
+/// A picture with four samples a pixel, whose finished rows go through `send`.
+fn supersampled(
+    picture: Rectangle,
+    rows: u32,
+    mut send: impl FnMut(Band<'_, Rgb565>),
+    draw: impl FnMut(&mut Band<'_, Rgb565>),
+) {
+    type Smooth = Supersampling<Rgb565, 2>;
+    let picture_loop = Smooth::new(picture, Rgb565::BLACK).unwrap().rows(rows);
+    let mut samples = vec![0; picture_loop.words_needed()];
+    let mut sums = vec![0; Smooth::sums_needed(picture.size.width as usize)];
+    let mut sink = |band: Band<'_, Rgb565>| {
+        send(band);
+        Ok::<(), Infallible>(())
+    };
+    picture_loop.draw(&mut samples, &mut sums, &mut sink, draw).unwrap();
+}
+
+/// A closure around the sink rotates what is sent.
+#[test]
+fn supersampled_rows_are_rotated_on_their_way_to_the_sink() {
+    let draw = |band: &mut Band<'_, Rgb565>| {
+        let disc = Circle::new(AREA.top_left * 2 + Point::new(7, 3), 61);
+        let Ok(()) = disc.into_styled(PrimitiveStyle::with_fill(Rgb565::YELLOW)).draw(band);
+    };
+    let mut upright = Panel(BTreeMap::new());
+    supersampled(AREA, 1, |band| upright.show(band), draw);
+    for turns in 1..=3 {
+        let expected = upright.0.iter().map(|(&(y, x), &color)| {
+            let point = turned(Point::new(x, y), turns, AREA);
+            ((point.y, point.x), color)
+        });
+        let expected = Panel(expected.collect());
+        for rows in ROWS {
+            let mut panel = Panel(BTreeMap::new());
+            let send = |mut band: Band<'_, Rgb565>| {
+                rotation(turns, AREA).rotate(&mut band);
+                panel.show(band);
+            };
+            supersampled(AREA, rows, send, draw);
+            assert!(panel == expected, "{turns} quarter turns, {rows} rows");
+        }
+    }
+}
+
+/// A scene that rotates its samples, by boxes that bring them to the ends of the number range, and beyond.
+#[test]
+fn rotated_samples_are_left_out_wherever_they_would_be() {
+    // Two samples a pixel: from -8 to 114 in x.
+    let lefts = (-12..-4).chain(48..56).chain([i32::MIN, 0, i32::MAX]);
+    let tops = [i32::MIN, i32::MIN + 1, 0, i32::MAX - 124, i32::MAX - 122, i32::MAX];
+    let corners = lefts.flat_map(|left| tops.map(|top| Point::new(left, top)));
+    let boxes: Vec<_> = corners
+        .map(|corner| Rectangle::new(corner, Size::new(64, 64)))
+        .chain([AREA])
+        .collect();
+    for area in [AREA, AREA.translate(Point::new(0, -40))] {
+        for (picture, rows) in boxes.iter().flat_map(|&picture| [1, 16].map(|rows| (picture, rows))) {
+            for turns in 1..=3 {
+                let (mut bands, mut sent) = (0, 0);
+                let send = |band: Band<'_, Rgb565>| {
+                    let row = band.bounding_box();
+                    assert!(row.size.height == 1 && row.size.width == area.size.width, "{row:?}");
+                    assert_eq!(row.intersection(&area), row);
+                    sent += 1;
+                };
+                supersampled(area, rows, send, |band| {
+                    bands += 1;
+                    rotation(turns, picture).rotate(band);
+                });
+                assert!(bands > 0 && sent <= area.size.height, "{sent} rows from {bands} bands");
+            }
         }
     }
 }

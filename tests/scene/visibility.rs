@@ -78,7 +78,7 @@ fn check_in_bands<L: Look<Color = Rgb888, Shading = Rgb888>>(
     assert_eq!(differing(&drawn, expected), 0, "{name}, bands of {size:?}");
 }
 
-/// How many words of two pictures differ.
+/// The number of words that differ between two pictures.
 pub fn differing(one: &[u32], other: &[u32]) -> usize {
     one.iter().zip(other).filter(|(one, other)| one != other).count()
 }

@@ -124,7 +124,7 @@ fn samples<L: Look<Color: ChannelColor>, P: SamplePattern + 'static>() {
     ));
 }
 
-/// What has no capacity in its type, each way to draw in one order of bytes.
+/// Calls the functions of scenes whose types have no capacities, each way to draw in one order of bytes.
 #[inline(never)]
 fn look<L: Look>() {
     keep(Frame::<L>::prepare(any(), any(), any()));
