@@ -62,7 +62,7 @@
 //! | draw shapes, texts and images | [`draw`]: [`draw::Picture`], or [`draw::DrawOn`] in a closure |
 //! | have smooth edges | [`draw::Antialiased`]: `style.antialiased()` |
 //! | have smooth text | [`draw::MaskTextStyle`] in one size, [`draw::OutlineTextStyle`] in any |
-//! | send rows | [`band::PictureLoop`] with a [`band::Sink`]: [`DisplaySink`](band::DisplaySink), [`BytesSink`](band::BytesSink), [`PagesSink`](band::PagesSink), [`OverlappingSink`](band::OverlappingSink) for DMA; `draw_async` |
+//! | send rows | [`band::PictureLoop`] with a [`band::Sink`]: [`DisplaySink`](band::DisplaySink), [`BytesSink`](band::BytesSink), [`PagesSink`](band::PagesSink), [`OverlappingSink`](band::OverlappingSink) for DMA; `draw_async` and `draw_pages_async` |
 //! | show 3D models | [`scene`]: [`scene::Memory`], [`scene::Model`], [`scene::Camera`] |
 //! | light, texture and blend them | [`shade`] |
 //! | place them among shapes | [`scene::SceneItem`] |

@@ -1,6 +1,6 @@
 //! Pages of eight rows: vertical bytes against the pixels of the full frame, and the controllers that they are for.
 
-use std::convert::Infallible;
+use std::{cell::RefCell, convert::Infallible, future::poll_fn, task::Poll};
 
 use embedded_graphics::{
     pixelcolor::{BinaryColor, Gray8},
@@ -12,7 +12,10 @@ use zrow::{
     geometry::TooSmall,
 };
 
-use crate::picture_loop::{AREA, ROWS, full_frame, scene};
+use crate::{
+    overlapping_loops::block_on,
+    picture_loop::{AREA, ROWS, full_frame, scene},
+};
 
 /// Areas on and off the grid of pages, within one page, and as wide as several words, one and no pixel.
 const AREAS: [((i32, i32), (u32, u32)); 9] = [
@@ -304,5 +307,140 @@ fn a_frame_after_a_fault_at_any_byte_is_whole() {
             controller.take(&next);
             assert!(controller.pixels(panel, if sh1106 { 2 } else { 0 }) == picture);
         }
+    }
+}
+
+/// Waits until it has been polled so many times.
+async fn polled(mut times: usize) {
+    poll_fn(|context| {
+        context.waker().wake_by_ref();
+        let is_ready = times == 0;
+        times = times.saturating_sub(1);
+        if is_ready { Poll::Ready(()) } else { Poll::Pending }
+    })
+    .await;
+}
+
+#[test]
+fn pages_by_futures_are_those_of_the_full_frame() {
+    for area in AREAS.map(area) {
+        for (rows, polls) in ROWS.into_iter().flat_map(|rows| [0, 1, 3].map(|polls| (rows, polls))) {
+            let picture_loop = PictureLoop::new(area, BinaryColor::Off).rows(rows);
+            let mut words = vec![1; picture_loop.words_needed() + 1];
+            // Longer than needed; what is in the pages must not show.
+            let mut pages = [0xff, 0xaa].map(|byte| vec![byte; area.size.width as usize + 2]);
+            let mut sent = Vec::new();
+            let send = async |page: Page<'_>| {
+                polled(polls).await;
+                sent.push((page.area, page.bytes.to_vec()));
+                Ok::<(), Infallible>(())
+            };
+            let pages = pages.each_mut().map(|page| &mut page[..]);
+            let drawing = picture_loop.draw_pages_async(&mut words, pages, send, scene::<BinaryColor, LittleEndian>);
+            block_on(drawing).unwrap();
+            assert!(sent == expected_pages(area), "{area:?}, {rows} rows, {polls} polls");
+        }
+    }
+}
+
+/// What happens to a picture of three pages, in order.
+#[derive(Debug, PartialEq)]
+enum Event {
+    /// A band is drawn, from this row on.
+    Drawn(i32),
+    /// The transfer of a page is begun, which begins in this row.
+    Begun(i32),
+    Sent(i32),
+}
+
+/// Draws rows 5 to 20, and logs what happens; the scene fails in one row, the transfer in another.
+fn logged(rows: u32, fails: [Option<i32>; 2]) -> (Vec<Event>, Result<(), LoopError<&'static str, &'static str>>) {
+    let log = RefCell::new(Vec::new());
+    let [scene_fails, send_fails] = fails;
+    let fail = |at: Option<i32>, row: i32| if at == Some(row) { Err("no") } else { Ok(()) };
+    let send = async |page: Page<'_>| {
+        let row = page.area.top_left.y;
+        log.borrow_mut().push(Event::Begun(row));
+        polled(2).await;
+        fail(send_fails, row)?;
+        log.borrow_mut().push(Event::Sent(row));
+        Ok(())
+    };
+    let scene = |band: &mut Band<'_, BinaryColor>| {
+        let row = band.bounding_box().top_left.y;
+        log.borrow_mut().push(Event::Drawn(row));
+        fail(scene_fails, row)
+    };
+    let picture_loop = PictureLoop::new(area(((0, 5), (4, 16))), BinaryColor::Off).rows(rows);
+    let (mut words, mut pages) = (vec![0; picture_loop.words_needed()], [[0; 4]; 2]);
+    let pages = pages.each_mut().map(|page| &mut page[..]);
+    let result = block_on(picture_loop.draw_pages_async(&mut words, pages, send, scene));
+    (log.into_inner(), result)
+}
+
+#[test]
+fn the_next_page_is_drawn_while_one_is_sent() {
+    use Event::{Begun, Drawn, Sent};
+    let (log, result) = logged(1, [None; 2]);
+    assert_eq!(result, Ok(()));
+    let mut expected: Vec<_> = (5..8).map(Drawn).collect();
+    expected.push(Begun(0));
+    expected.extend((8..16).map(Drawn));
+    expected.extend([Sent(0), Begun(8)]);
+    expected.extend((16..21).map(Drawn));
+    expected.extend([Sent(8), Begun(16), Sent(16)]);
+    assert_eq!(log, expected);
+    // Bands with the ends of two pages and of one.
+    let (log, result) = logged(12, [None; 2]);
+    assert_eq!(result, Ok(()));
+    let pages = [
+        Drawn(5),
+        Begun(0),
+        Sent(0),
+        Begun(8),
+        Drawn(17),
+        Sent(8),
+        Begun(16),
+        Sent(16),
+    ];
+    assert_eq!(log, pages);
+}
+
+#[test]
+fn a_loop_of_pages_that_fails_sends_nothing_more() {
+    use Event::{Begun, Drawn, Sent};
+    // The page before the row is whole, and is sent.
+    let (log, result) = logged(1, [Some(9), None]);
+    assert_eq!(result, Err(LoopError::Scene("no")));
+    assert_eq!(
+        log,
+        [Drawn(5), Drawn(6), Drawn(7), Begun(0), Drawn(8), Drawn(9), Sent(0)]
+    );
+    let (log, result) = logged(8, [None, Some(8)]);
+    assert_eq!(result, Err(LoopError::Sink("no")));
+    assert_eq!(log, [Drawn(5), Begun(0), Drawn(13), Sent(0), Begun(8)]);
+    let (log, result) = logged(1, [Some(5), None]);
+    assert_eq!((log, result), (vec![Drawn(5)], Err(LoopError::Scene("no"))));
+}
+
+#[test]
+fn too_small_buffers_of_pages_are_errors_before_anything_is_drawn() {
+    let picture_loop = PictureLoop::new(AREA, BinaryColor::Off).rows(2);
+    let width = AREA.size.width as usize;
+    for lengths in [
+        [2 * width - 1, 0, 0],
+        [2 * width, width - 1, width],
+        [2 * width, width, width - 1],
+    ] {
+        let [mut words, mut page, mut other] = lengths.map(|length| vec![0; length]);
+        let send = async |_: Page<'_>| -> Result<(), Infallible> { panic!("sent") };
+        let scene = |_: &mut Band<'_, BinaryColor>| -> Result<(), Infallible> { panic!("drawn") };
+        let result = block_on(picture_loop.draw_pages_async(&mut words, [&mut page, &mut other], send, scene));
+        let needed = if lengths[0] < 2 * width {
+            TooSmall::Words(2 * width)
+        } else {
+            TooSmall::PageBytes(width)
+        };
+        assert_eq!(result, Err(LoopError::TooSmall(needed)));
     }
 }

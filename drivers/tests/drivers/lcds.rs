@@ -80,7 +80,7 @@ fn corners(area: Rectangle) -> ([u16; 2], [u16; 2]) {
 }
 
 /// Polls a future to its end, which comes by itself.
-fn block_on<T>(future: impl Future<Output = T>) -> T {
+pub fn block_on<T>(future: impl Future<Output = T>) -> T {
     let mut future = pin!(future);
     let mut context = Context::from_waker(Waker::noop());
     loop {

@@ -1,9 +1,10 @@
 //! OLEDs that take pages of eight rows.
 
 use embedded_graphics::{pixelcolor::BinaryColor, primitives::Rectangle};
-use zrow::band::{LittleEndian, PagesSink, PictureLoop};
+use zrow::band::{LittleEndian, Page, PagesSink, PictureLoop};
 
 use crate::{
+    lcds::block_on,
     scene::{box_of, picture, scene},
     wires::{Unused, Wires},
 };
@@ -28,6 +29,38 @@ fn ssd1306_in_pages() {
     PictureLoop::new(area, BinaryColor::Off)
         .draw(&mut row, &mut sink, scene::<BinaryColor, LittleEndian>)
         .unwrap();
+    check_ssd1306(&wires, area);
+}
+
+#[test]
+fn ssd1306_in_pages_by_futures() {
+    use ssd1306::{Ssd1306Async, prelude::*};
+
+    let wires = Wires::default();
+    let area = box_of(128, 64);
+    block_on(async {
+        let mut display = Ssd1306Async::new(wires.clone(), DisplaySize128x64, DisplayRotation::Rotate0);
+        display
+            .init_with_addr_mode(ssd1306::command::AddrMode::Horizontal)
+            .await
+            .unwrap();
+        wires.take();
+        let send = async |page: Page<'_>| {
+            let top = page.area.top_left.y as u8;
+            display.set_draw_area((0, top), (128, top + 8)).await?;
+            display.draw(page.bytes).await
+        };
+        let pages = [&mut [0; 128][..], &mut [0; 128]];
+        PictureLoop::new(area, BinaryColor::Off)
+            .draw_pages_async(&mut [0; 128], pages, send, scene::<BinaryColor, LittleEndian>)
+            .await
+            .unwrap();
+    });
+    check_ssd1306(&wires, area);
+}
+
+/// Eight windows of a page each, and the bytes of the picture.
+fn check_ssd1306(wires: &Wires, area: Rectangle) {
     let commands = wires.take();
     let pages: Vec<u8> = commands.iter().flat_map(|(_, data)| data.clone()).collect();
     let codes: Vec<u8> = commands.iter().map(|(code, _)| *code).collect();

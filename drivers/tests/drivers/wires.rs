@@ -2,7 +2,7 @@
 
 use std::{cell::RefCell, convert::Infallible, rc::Rc};
 
-use display_interface::{DataFormat, DisplayError, WriteOnlyDataCommand};
+use display_interface::{AsyncWriteOnlyDataCommand, DataFormat, DisplayError, WriteOnlyDataCommand};
 use embedded_hal::{
     delay::DelayNs,
     digital::{self, InputPin, OutputPin},
@@ -65,6 +65,16 @@ impl WriteOnlyDataCommand for Wires {
     }
 
     fn send_data(&mut self, data: DataFormat<'_>) -> Result<(), DisplayError> {
+        self.send_format(true, data)
+    }
+}
+
+impl AsyncWriteOnlyDataCommand for Wires {
+    async fn send_commands(&mut self, commands: DataFormat<'_>) -> Result<(), DisplayError> {
+        self.send_format(false, commands)
+    }
+
+    async fn send_data(&mut self, data: DataFormat<'_>) -> Result<(), DisplayError> {
         self.send_format(true, data)
     }
 }

@@ -2,7 +2,7 @@
 
 use core::{
     future::{Future, poll_fn},
-    pin::pin,
+    pin::{Pin, pin},
     task::Poll,
 };
 
@@ -58,21 +58,11 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         };
         loop {
             let area = band.bounding_box();
-            let next_window = {
-                let mut transfer = pin!(send(area, band.into_bytes()));
-                let first_poll = poll_fn(|context| Poll::Ready(transfer.as_mut().poll(context))).await;
-                let drawing = match windows.next() {
-                    Some(next) => self.draw_band(next, waiting, &mut scene).map(|band| Some(band.window)),
-                    None => Ok(None),
-                };
-                match first_poll {
-                    Poll::Ready(sent) => sent,
-                    Poll::Pending => transfer.await,
-                }
-                .map_err(LoopError::Sink)?;
-                // Returned only now, so that the display has the whole band before this one.
-                drawing?
-            };
+            let next_window = while_sent(pin!(send(area, band.into_bytes())), || match windows.next() {
+                Some(next) => self.draw_band(next, waiting, &mut scene).map(|band| Some(band.window)),
+                None => Ok(None),
+            })
+            .await?;
             let Some(next_window) = next_window else {
                 trace!("{}: sent", self);
                 return Ok(());
@@ -81,4 +71,27 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
             band = Band::over(next_window, drawn).map_err(BandError::<R::Error>::TooSmall)?;
         }
     }
+}
+
+/// Polls a transfer, so that it starts, draws what comes next, and waits for the end of the transfer. An error of drawing is
+/// returned only then, so that the display has all that came before it.
+// No `async fn`: its future would have a panic of its own, for being polled after its end, which the compiler does not leave out.
+pub(super) fn while_sent<T, E, X>(
+    mut transfer: Pin<&mut impl Future<Output = Result<(), E>>>,
+    draw_next: impl FnOnce() -> Result<T, BandError<X>>,
+) -> impl Future<Output = Result<T, LoopError<E, X>>> {
+    let (mut draw_next, mut next) = (Some(draw_next), None);
+    poll_fn(move |context| {
+        let sent = transfer.as_mut().poll(context);
+        if let Some(draw_next) = draw_next.take() {
+            next = Some(draw_next());
+        }
+        match sent {
+            Poll::Ready(Ok(())) => next
+                .take()
+                .map_or(Poll::Pending, |next| Poll::Ready(next.map_err(LoopError::from))),
+            Poll::Ready(Err(error)) => Poll::Ready(Err(LoopError::Sink(error))),
+            Poll::Pending => Poll::Pending,
+        }
+    })
 }

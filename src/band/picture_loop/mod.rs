@@ -1,6 +1,7 @@
 //! A refresh of the display: the loop that walks a band down the picture, and what takes each band.
 
 mod asynchronous;
+mod asynchronous_pages;
 mod dithered;
 mod overlapping;
 mod pages;

@@ -15,6 +15,8 @@
 //! whatever an earlier one left in the page. Cost: for each row one pass over the bytes of the page, four columns at once.
 //! Source: data sheets of Solomon Systech's SSD1306 (2008, 8.7 and 10.1) and Sino Wealth's SH1106 (2012).
 
+use core::ops::Range;
+
 use embedded_graphics::{pixelcolor::BinaryColor, primitives::Rectangle};
 
 use crate::{
@@ -32,7 +34,8 @@ const PAGE_ROWS: i32 = 8;
 /// Bands of one row are enough: with 128 columns the row takes 128 bytes and the page 128 more, where a band of eight rows
 /// takes 1,024. The sink hands out each [`Page`] as soon as its last row has come, and the last page of the area
 /// also where the area ends within it; what lies outside of the area is off there. A picture that is dithered goes through
-/// [`Dithered`](crate::band::Dithered) around this sink.
+/// [`Dithered`](crate::band::Dithered) around this sink. Where the driver is `async`,
+/// [`draw_pages_async`](crate::band::PictureLoop::draw_pages_async) takes the place of the sink.
 ///
 /// After an error of the closure the next picture is whole again, from its first page on. A controller whose command was cut off
 /// has to be initialized before: it takes the next bytes for the rest of the command.
@@ -63,8 +66,8 @@ const PAGE_ROWS: i32 = 8;
 /// ```
 #[derive(Debug)]
 pub struct PagesSink<'a, F> {
-    window: Window,
-    /// A byte for each column of the window.
+    rows: PageRows,
+    /// A byte for each column of the area.
     page: &'a mut [u8],
     send: F,
 }
@@ -121,30 +124,65 @@ impl<'a, F> PagesSink<'a, F> {
     where
         F: FnMut(Page<'_>) -> Result<(), E>,
     {
-        let window = Window::from(area);
-        let needed = window.width() as usize;
+        let rows = PageRows::new(area.into());
+        let needed = rows.bytes_needed();
         match page.get_mut(..needed) {
-            Some(page) => Ok(Self { window, page, send }),
+            Some(page) => Ok(Self { rows, page, send }),
             None => Err(TooSmall::PageBytes(needed)),
         }
     }
+}
 
-    /// Writes a row of a band, which begins at the column `left`, into its bits of the page.
-    fn collect(&mut self, y: i32, left: i32, row: &[u8]) {
+impl<O: Order, E, F: FnMut(Page<'_>) -> Result<(), E>> Sink<BinaryColor, O> for PagesSink<'_, F> {
+    type Error = E;
+
+    fn send(&mut self, mut band: Band<'_, BinaryColor, O>) -> Result<(), E> {
+        let left = band.window.left;
+        for y in self.rows.of(&band.window) {
+            self.rows
+                .collect(self.page, y, left, band.row_mut(y).unwrap_or_default());
+            if let Some(area) = self.rows.finished(y) {
+                let bytes = &*self.page;
+                (self.send)(Page { area, bytes })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The rows of an area as they come into the bytes of their pages.
+#[derive(Debug, Copy, Clone)]
+pub(super) struct PageRows {
+    window: Window,
+}
+
+impl PageRows {
+    pub(super) const fn new(area: Window) -> Self {
+        Self { window: area }
+    }
+
+    /// A byte for each column.
+    pub(super) fn bytes_needed(&self) -> usize {
+        self.window.width() as usize
+    }
+
+    /// The rows of a band that are in the area.
+    pub(super) fn of(&self, band: &Window) -> Range<i32> {
+        band.top.max(self.window.top)..band.bottom.min(self.window.bottom)
+    }
+
+    /// Writes a row of a band, which begins at the column `left`, into its bits of a page. The page may be longer than the area is
+    /// wide; the first row of a page turns all of its bits off before.
+    pub(super) fn collect(&self, page: &mut [u8], y: i32, left: i32, row: &[u8]) {
+        let page = page.get_mut(..self.bytes_needed()).unwrap_or_default();
         if y == self.window.top.max(first_row(y)) {
-            self.page.fill(0);
+            page.fill(0);
         }
         // The columns that the row and the page both have.
         let (row, page) = if left < self.window.left {
-            (
-                row.get(distance(left, self.window.left) as usize..),
-                Some(&mut *self.page),
-            )
+            (row.get(distance(left, self.window.left) as usize..), Some(page))
         } else {
-            (
-                Some(row),
-                self.page.get_mut(distance(self.window.left, left) as usize..),
-            )
+            (Some(row), page.get_mut(distance(self.window.left, left) as usize..))
         };
         if let (Some(row), Some(page)) = (row, page) {
             set_bits(page, row, y.rem_euclid(PAGE_ROWS) as u32);
@@ -152,7 +190,7 @@ impl<'a, F> PagesSink<'a, F> {
     }
 
     /// The pixels of the page that is finished with a row: the last one of a page or of the area.
-    fn finished(&self, y: i32) -> Option<Rectangle> {
+    pub(super) fn finished(&self, y: i32) -> Option<Rectangle> {
         let top = first_row(y);
         // A window has no row `i32::MAX`, which would be the last one of the last page.
         let bottom = top.saturating_add(PAGE_ROWS);
@@ -162,22 +200,6 @@ impl<'a, F> PagesSink<'a, F> {
             ..self.window
         };
         (y + 1 == bottom.min(self.window.bottom)).then(|| page.to_rectangle())
-    }
-}
-
-impl<O: Order, E, F: FnMut(Page<'_>) -> Result<(), E>> Sink<BinaryColor, O> for PagesSink<'_, F> {
-    type Error = E;
-
-    fn send(&mut self, mut band: Band<'_, BinaryColor, O>) -> Result<(), E> {
-        let Window { left, top, bottom, .. } = band.window;
-        for y in top.max(self.window.top)..bottom.min(self.window.bottom) {
-            self.collect(y, left, band.row_mut(y).unwrap_or_default());
-            if let Some(area) = self.finished(y) {
-                let bytes = &*self.page;
-                (self.send)(Page { area, bytes })?;
-            }
-        }
-        Ok(())
     }
 }
 
@@ -235,7 +257,7 @@ fn set_bits(page: &mut [u8], row: &[u8], bit: u32) {
 #[cfg(feature = "defmt")]
 impl<F> defmt::Format for PagesSink<'_, F> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "PagesSink {}", self.window);
+        defmt::write!(formatter, "PagesSink {}", self.rows.window);
     }
 }
 

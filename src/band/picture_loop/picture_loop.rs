@@ -115,6 +115,11 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         self.windows().map(|window| window.to_rectangle())
     }
 
+    /// The area that is drawn.
+    pub(super) const fn area(&self) -> Window {
+        self.window
+    }
+
     /// The areas of the bands as windows, top to bottom.
     pub(crate) fn windows(&self) -> impl Iterator<Item = Window> + use<C, O> {
         let this = *self;

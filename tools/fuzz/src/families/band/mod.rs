@@ -1,5 +1,6 @@
 //! `zrow::band`: memory of any size, loops over any area, and sinks that fail.
 
+mod futures;
 mod memory;
 mod overlapping;
 mod pages;

@@ -4,11 +4,14 @@ use anyhow::ensure;
 use arbitrary::Arbitrary;
 use embedded_graphics::{geometry::Dimensions, pixelcolor::BinaryColor, primitives::Rectangle};
 use zrow::{
-    band::{Band, LittleEndian, LoopError, PagesSink, PictureLoop, Sink},
+    band::{Band, LittleEndian, LoopError, Page, PagesSink, PictureLoop, Sink},
     geometry::{TooSmall, Window},
 };
 
-use super::Broken;
+use super::{
+    Broken,
+    futures::{block_on, slowly},
+};
 use crate::{
     target::{Case, Verdict},
     values::{Count, Int, Stage},
@@ -29,6 +32,15 @@ pub struct PagesCase {
 /// The first row of each page, and its bytes.
 type Pages = Vec<(i32, Vec<u8>)>;
 
+/// Notes a page, unless it is the one that fails.
+fn note(pages: &mut Pages, page: Page<'_>, fails_at: usize) -> Result<(), Broken> {
+    if pages.len() == fails_at {
+        return Err(Broken);
+    }
+    pages.push((page.area.top_left.y, page.bytes.to_vec()));
+    Ok(())
+}
+
 impl PagesCase {
     /// The pixel of a row and a column of the stage.
     fn pixel(&self, x: i32, y: i32) -> bool {
@@ -44,37 +56,52 @@ impl PagesCase {
         (window.left..window.right).map(byte).collect()
     }
 
+    /// Draws the pixels of a band.
+    fn draw_band(&self, band: &mut Band<'_, BinaryColor, LittleEndian>) {
+        let Window { left, top, bottom, .. } = band.bounding_box().into();
+        for y in top..bottom {
+            let row = band.row_mut(y).unwrap_or_default();
+            for (word, x) in row.iter_mut().zip(left..) {
+                *word = u8::from(self.pixel(x, y)) | self.before << 1;
+            }
+        }
+    }
+
+    /// A loop over the stage, and a buffer for it.
+    fn picture_loop(&self) -> (PictureLoop<BinaryColor>, Vec<u8>) {
+        let picture_loop = PictureLoop::new(self.stage.area(), BinaryColor::On).rows(self.stage.rows);
+        let words = vec![self.before; picture_loop.words_needed()];
+        (picture_loop, words)
+    }
+
     /// The pages that are sent, up to one that fails.
     fn draw(&self, page: &mut [u8], fails_at: usize) -> (Pages, Result<(), LoopError<Broken>>) {
-        let area = self.stage.area();
         let mut pages = Vec::new();
-        let sink = PagesSink::new(area, page, |page| {
-            if pages.len() == fails_at {
-                return Err(Broken);
-            }
-            pages.push((page.area.top_left.y, page.bytes.to_vec()));
-            Ok(())
-        });
+        let sink = PagesSink::new(self.stage.area(), page, |page| note(&mut pages, page, fails_at));
         let sent = match sink {
             Ok(mut sink) => {
-                let picture_loop = PictureLoop::new(area, BinaryColor::On).rows(self.stage.rows);
-                let mut words = vec![self.before; picture_loop.words_needed()];
-                picture_loop.draw(
-                    &mut words,
-                    &mut sink,
-                    |band: &mut Band<'_, BinaryColor, LittleEndian>| {
-                        let Window { left, top, bottom, .. } = band.bounding_box().into();
-                        for y in top..bottom {
-                            let row = band.row_mut(y).unwrap_or_default();
-                            for (word, x) in row.iter_mut().zip(left..) {
-                                *word = u8::from(self.pixel(x, y)) | self.before << 1;
-                            }
-                        }
-                    },
-                )
+                let (picture_loop, mut words) = self.picture_loop();
+                picture_loop.draw(&mut words, &mut sink, |band: &mut Band<'_, _, _>| self.draw_band(band))
             }
             Err(error) => Err(error.into()),
         };
+        (pages, sent)
+    }
+
+    /// The pages that are sent by futures, up to one that fails.
+    fn draw_async(&self, page: &mut [u8], fails_at: usize) -> (Pages, Result<(), LoopError<Broken>>) {
+        let (picture_loop, mut words) = self.picture_loop();
+        let (mut pages, mut other) = (Vec::new(), page.to_vec());
+        let send = async |page: Page<'_>| {
+            slowly().await;
+            note(&mut pages, page, fails_at)
+        };
+        let sent = block_on(picture_loop.draw_pages_async(
+            &mut words,
+            [page, &mut other],
+            send,
+            |band: &mut Band<'_, _, _>| self.draw_band(band),
+        ));
         (pages, sent)
     }
 
@@ -105,23 +132,28 @@ impl Case for PagesCase {
         let window = self.stage.window;
         let columns = window.width() as usize;
         let mut page = vec![self.before; usize::from(self.page_bytes) % 32];
-        let (pages, sent) = self.draw(&mut page, usize::MAX);
+        let ways = [Self::draw, Self::draw_async];
         if page.len() < columns {
-            let error = LoopError::TooSmall(TooSmall::PageBytes(columns));
-            ensure!(sent == Err(error) && pages.is_empty(), "{sent:?} of {columns} columns");
+            for draw in ways {
+                let (pages, sent) = draw(self, &mut page, usize::MAX);
+                let error = LoopError::TooSmall(TooSmall::PageBytes(columns));
+                ensure!(sent == Err(error) && pages.is_empty(), "{sent:?} of {columns} columns");
+            }
             page.resize(columns, self.before);
         }
         let tops = (window.top.div_euclid(8)..=(window.bottom - 1).div_euclid(8)).map(|page| page * 8);
         let expected: Pages = tops.map(|top| (top, self.bytes(top))).collect();
         let fails_at = usize::from(self.fails_at) % expected.len();
-        let (pages, sent) = self.draw(&mut page, fails_at);
-        ensure!(sent == Err(LoopError::Sink(Broken)), "{sent:?} at page {fails_at}");
-        ensure!(pages == expected[..fails_at], "other pages before a failure: {pages:?}");
-        let (pages, sent) = self.draw(&mut page, usize::MAX);
-        ensure!(
-            sent == Ok(()) && pages == expected,
-            "{sent:?}: {pages:?}, not {expected:?}"
-        );
+        for draw in ways {
+            let (pages, sent) = draw(self, &mut page, fails_at);
+            ensure!(sent == Err(LoopError::Sink(Broken)), "{sent:?} at page {fails_at}");
+            ensure!(pages == expected[..fails_at], "other pages before a failure: {pages:?}");
+            let (pages, sent) = draw(self, &mut page, usize::MAX);
+            ensure!(
+                sent == Ok(()) && pages == expected,
+                "{sent:?}: {pages:?}, not {expected:?}"
+            );
+        }
         Ok(())
     }
 }

@@ -1,11 +1,6 @@
 //! Loops over any area, and sinks that fail.
 
-use std::{
-    cell::RefCell,
-    future::{self, Future},
-    pin::pin,
-    task::{Context as TaskContext, Poll, Waker},
-};
+use std::cell::RefCell;
 
 use anyhow::{Context, ensure};
 use arbitrary::Arbitrary;
@@ -19,7 +14,10 @@ use zrow::{
     geometry::{TooSmall, Window},
 };
 
-use super::{Broken, Scene};
+use super::{
+    Broken, Scene,
+    futures::{block_on, slowly},
+};
 use crate::{
     picture::{Sheet, Stopped, background},
     target::{Case, Verdict},
@@ -57,28 +55,6 @@ impl Notes {
         areas.push(area);
         self.bytes.borrow_mut().extend_from_slice(bytes);
         Ok(())
-    }
-}
-
-/// A transfer that is pending twice.
-async fn send_slowly(notes: &Notes, area: Rectangle, bytes: &[u8]) -> Result<(), Broken> {
-    let mut polls = 0;
-    future::poll_fn(|_| {
-        polls += 1;
-        if polls > 2 { Poll::Ready(()) } else { Poll::Pending }
-    })
-    .await;
-    notes.take(area, bytes)
-}
-
-/// Polls a future to its end, which comes by itself.
-fn block_on<F: Future>(future: F) -> F::Output {
-    let mut future = pin!(future);
-    let mut context = TaskContext::from_waker(Waker::noop());
-    loop {
-        if let Poll::Ready(output) = future.as_mut().poll(&mut context) {
-            return output;
-        }
     }
 }
 
@@ -210,7 +186,10 @@ impl LoopCase {
         let (_, sent) = picture_loop.draw_overlapping([&mut words[..], &mut others[..]], &mut sink, draw);
         is_right(sent, notes, "draw_overlapping")?;
         let notes = failing();
-        let send = async |area: Rectangle, bytes: &[u8]| send_slowly(&notes, area, bytes).await;
+        let send = async |area: Rectangle, bytes: &[u8]| {
+            slowly().await;
+            notes.take(area, bytes)
+        };
         let sent = block_on(picture_loop.draw_async([&mut words, &mut others], send, draw));
         is_right(sent, notes, "draw_async")?;
 

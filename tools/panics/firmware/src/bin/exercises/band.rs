@@ -43,6 +43,7 @@ pub const EXERCISES: &[fn()] = &[
     picture_loop::<Rgb565, BigEndian>,
     overlapping_sink::<Rgb565, LittleEndian, &mut [u16], DisplaySink<'_, Display<Rgb565>>>,
     draw_async,
+    draw_pages_async,
     sinks,
     pages,
     rotated::<Rgb565, LittleEndian>,
@@ -131,11 +132,25 @@ fn draw_async() {
         keep((area, bytes));
         core::future::poll_fn(|_| any::<Poll<Result<(), Failure>>>())
     };
-    let drawing = PictureLoop::<Rgb565>::draw_async(any(), any(), send, |band| keep(band));
-    let mut drawing = pin!(drawing);
+    poll_to_the_end(PictureLoop::<Rgb565>::draw_async(any(), any(), send, |band| keep(band)));
+}
+
+#[inline(never)]
+fn draw_pages_async() {
+    let send = |page: Page<'_>| {
+        keep(page);
+        core::future::poll_fn(|_| any::<Poll<Result<(), Failure>>>())
+    };
+    let drawing = PictureLoop::<BinaryColor>::draw_pages_async(any(), any(), any(), send, |band| keep(band));
+    poll_to_the_end(drawing);
+}
+
+/// A future of an `async fn` panics where it is polled once more after its end: this is how one is polled to it.
+#[inline(always)]
+fn poll_to_the_end(future: impl Future) {
+    let mut future = pin!(future);
     let mut context = Context::from_waker(Waker::noop());
-    // A future of an `async fn` panics where it is polled once more after its end: this is how one is polled to it.
-    while drawing.as_mut().poll(&mut context).is_pending() {}
+    while future.as_mut().poll(&mut context).is_pending() {}
 }
 
 #[inline(never)]
