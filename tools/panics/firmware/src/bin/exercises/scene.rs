@@ -35,21 +35,21 @@ pub const EXERCISES: &[fn()] = &[
     memory::<Rgb565, Sub8, u16, false>,
     memory::<Rgb888, Sub8, u32, true>,
     look::<Fine<Whole<Rgb565>>>,
-    shaded::<FlatLit<Rgb565>>,
+    in_all_formats::<FlatLit<Rgb565>>,
     shaded::<FlatLit<Gray4, Lambert<0>>>,
-    shaded::<Gouraud<Rgb565>>,
+    in_all_formats::<Gouraud<Rgb565>>,
     shaded::<Gouraud<Gray4, Lambert<3>>>,
     shaded::<Textured<Texels<BinaryColor, 8, 4>>>,
     shaded::<Textured<Texels<Rgb565, 64, 64>>>,
     shaded::<Textured<Texels<Rgb565, 64, 64>, 1>>,
-    shaded::<LitTextured<Texels<Rgb565, 64, 64>>>,
+    in_all_formats::<LitTextured<Texels<Rgb565, 64, 64>>>,
     shaded::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>,
     shaded::<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>,
     shaded::<LitTextured<Bilinear<Clamped<Texels<Rgb565, 64, 64>>>, Blinn<1, 1>>>,
     shaded::<Foggy<Rgb565>>,
     shaded::<Foggy<Gouraud<Rgb565, Lambert<1, 1>>>>,
     shaded::<Translucent<Rgb565>>,
-    shaded::<Foggy<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>>,
+    in_all_formats::<Foggy<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>>,
     look::<Whole<Deep<Translucent<Gouraud<Gray4>>>>>,
     shaded::<EvenStripes>,
     shaded::<Stripes>,
@@ -166,7 +166,6 @@ fn orthographic_depths() {
     keep(Orthographic::<Fine<Deep<Rgb565>>>::depth_at(any(), any()));
 }
 
-/// A shading, whose faces are cut or not, at each precision and width of depths, in passes and not.
 #[inline(never)]
 fn counted() {
     keep(Prepared::<Counted<Rgb565>>::counters(any()));
@@ -176,13 +175,12 @@ fn counted() {
     clone::<InstructionSet>();
 }
 
+/// A shading in two looks that have nothing in common: faces are cut or not, in positions of 16 or 32 bits, with depths of 16 or
+/// 32 bits, in passes or in one. The other combinations are those of [`in_all_formats`].
 #[inline(never)]
 fn shaded<H: Shading>() {
     look::<H>();
-    look::<Whole<H>>();
-    look::<Fine<Whole<H>>>();
-    look::<Deep<H>>();
-    look::<Fine<Deep<OnePass<H>>>>();
+    look::<Fine<Whole<Deep<OnePass<H>>>>>();
     // So few slots that all rows are drawn in passes.
     keep(Memory::<H, 320, 588, 240, 128, 1>::new());
     keep(Memory::<H, 320, 588, 240, 128, 1>::prepare(any(), any(), any()));
@@ -191,6 +189,17 @@ fn shaded<H: Shading>() {
     keep(Model::<H>::mesh(any()));
     keep(Model::<H>::skin(any()));
     clone::<Model<'_, H>>();
+}
+
+/// A shading whose faces are cut or not, at each precision and width of depths, in passes and not: for a shading of each kind of
+/// attributes, because each look takes seconds to compile.
+#[inline(never)]
+fn in_all_formats<H: Shading>() {
+    shaded::<H>();
+    look::<Whole<H>>();
+    look::<Fine<Whole<H>>>();
+    look::<Deep<H>>();
+    look::<Fine<Deep<OnePass<H>>>>();
 }
 
 #[inline(never)]
