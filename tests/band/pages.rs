@@ -343,7 +343,7 @@ fn pages_by_futures_are_those_of_the_full_frame() {
     }
 }
 
-/// What happens to a picture of three pages, in order.
+/// An event while a picture of three pages is drawn and sent.
 #[derive(Debug, PartialEq)]
 enum Event {
     /// A band is drawn, from this row on.
