@@ -1,6 +1,9 @@
 //! Whether a mesh is convex: each vertex is on or behind the plane of each face.
 
-use crate::mesh::face_normal::{dot, normal, way};
+use crate::mesh::{
+    face_normal::{dot, normal, way},
+    slots::get,
+};
 
 /// Whether no vertex is in front of the plane of a face.
 pub(super) const fn is_convex(vertices: &[[i16; 3]], faces: &[[u16; 3]]) -> bool {
@@ -30,8 +33,8 @@ const fn is_behind(vertices: &[[i16; 3]], corners: [[i16; 3]; 3]) -> bool {
 
 /// The position of a vertex; the origin where it is not there.
 pub(super) const fn position(vertices: &[[i16; 3]], index: u16) -> [i16; 3] {
-    match vertices.split_at_checked(index as usize) {
-        Some((_, [position, ..])) => *position,
-        _ => [0; 3],
+    match get(vertices, index as usize) {
+        Some(position) => position,
+        None => [0; 3],
     }
 }

@@ -10,6 +10,7 @@ use crate::mesh::{
     Edge,
     face_normal::cosine_is_below,
     sides::{END, Ends, FaceSides, Sides, named, of_side, side_number},
+    slots::set,
 };
 
 /// The cosine of no angle, with 14 fractional bits.
@@ -32,9 +33,7 @@ pub(super) const fn find<const FACES: usize, const EDGES: usize>(
             if let Some(beside) = sides.beside(&of_face, number + side) {
                 let ends = of_side([[*a, *b], [*b, *c], [*c, *a]], side);
                 if let Some(edge) = beside.edge(ends, face as u16, normal, cosine) {
-                    if let Some((_, [slot, ..])) = edges.split_at_mut_checked(count) {
-                        *slot = edge;
-                    }
+                    set(&mut edges, count, edge);
                     count += 1;
                 }
             }

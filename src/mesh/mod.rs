@@ -15,6 +15,7 @@ mod neighbours;
 mod octahedral_normal;
 mod polygons;
 mod sides;
+mod slots;
 
 pub use bounding_box::BoundingBox;
 pub use bounding_cylinder::BoundingCylinder;

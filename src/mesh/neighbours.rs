@@ -4,6 +4,8 @@
 //! one surface. An edge that only one face has bounds the surface, and in one that three or more have surfaces meet; both have
 //! no neighbour.
 
+use crate::mesh::slots::{get, set};
+
 /// In a table of neighbours: there is none.
 pub(super) const NO_NEIGHBOUR: u16 = u16::MAX;
 
@@ -23,22 +25,19 @@ pub(super) const fn find<const FACES: usize>(faces: &[[u16; 3]; FACES]) -> [[u16
             enter(&mut heads, bc, edge_number(face, 1)),
             enter(&mut heads, ca, edge_number(face, 2)),
         ];
-        if let Some((_, [entry, ..])) = next.split_at_mut_checked(face) {
-            *entry = of_face;
-        }
+        set(&mut next, face, of_face);
         face += 1;
     }
     let mut neighbours = [[NO_NEIGHBOUR; 3]; FACES];
     face = 0;
     while face < FACES {
         let [ab, bc, ca] = edges(face_at(faces, face));
-        if let Some((_, [entry, ..])) = neighbours.split_at_mut_checked(face) {
-            *entry = [
-                across(faces, &heads, &next, ab),
-                across(faces, &heads, &next, bc),
-                across(faces, &heads, &next, ca),
-            ];
-        }
+        let of_face = [
+            across(faces, &heads, &next, ab),
+            across(faces, &heads, &next, bc),
+            across(faces, &heads, &next, ca),
+        ];
+        set(&mut neighbours, face, of_face);
         face += 1;
     }
     neighbours
@@ -52,9 +51,9 @@ const fn edges([a, b, c]: [u16; 3]) -> [Edge; 3] {
 }
 
 const fn face_at(faces: &[[u16; 3]], face: usize) -> [u16; 3] {
-    match faces.split_at_checked(face) {
-        Some((_, [corners, ..])) => *corners,
-        _ => [0; 3],
+    match get(faces, face) {
+        Some(corners) => corners,
+        None => [0; 3],
     }
 }
 
@@ -71,31 +70,31 @@ const fn bucket([from, to]: Edge, buckets: usize) -> usize {
     }
 }
 
+/// The first edge in the bucket of an edge, by its number, or [`END`].
+const fn first(heads: &[u32], edge: Edge) -> u32 {
+    match get(heads, bucket(edge, heads.len())) {
+        Some(head) => head,
+        None => END,
+    }
+}
+
 /// Makes an edge the head of its bucket, and returns the previous head.
 const fn enter(heads: &mut [u32], edge: Edge, number: u32) -> u32 {
-    match heads.split_at_mut_checked(bucket(edge, heads.len())) {
-        Some((_, [head, ..])) => {
-            let before = *head;
-            *head = number;
-            before
-        }
-        _ => END,
-    }
+    let before = first(heads, edge);
+    set(heads, bucket(edge, heads.len()), number);
+    before
 }
 
 /// The face that has an edge in the other direction, where it is the only one, and no other face has it in this direction.
 const fn across(faces: &[[u16; 3]], heads: &[u32], next: &[[u32; 3]], [from, to]: Edge) -> u16 {
     let (mut there, mut back, mut found) = (0u32, 0u32, NO_NEIGHBOUR);
-    let mut number = match heads.split_at_checked(bucket([from, to], heads.len())) {
-        Some((_, [head, ..])) => *head,
-        _ => END,
-    };
+    let mut number = first(heads, [from, to]);
     while number != END {
         let (face, edge) = ((number / 4) as usize, number % 4);
         let [ab, bc, ca] = edges(face_at(faces, face));
-        let [after_ab, after_bc, after_ca] = match next.split_at_checked(face) {
-            Some((_, [after, ..])) => *after,
-            _ => [END; 3],
+        let [after_ab, after_bc, after_ca] = match get(next, face) {
+            Some(after) => after,
+            None => [END; 3],
         };
         let ([start, end], after) = match edge {
             0 => (ab, after_ab),

@@ -3,9 +3,14 @@
 //!
 //! A side has a number: four times the index of its face, and 0 from the first corner to the second, 1 from there to the third,
 //! 2 back to the first. There are as many buckets as faces, and the sides of a bucket have ascending numbers. All of a face
-//! lies in one entry: the compiler, which counts its steps, takes some ten of them for each look into a table.
+//! lies in one entry: one look into a table for the compiler, which counts its steps.
 
-use crate::mesh::{face_normal::normal, neighbours::NO_NEIGHBOUR};
+use crate::mesh::{
+    convex::position,
+    face_normal::normal,
+    neighbours::NO_NEIGHBOUR,
+    slots::{get, set},
+};
 
 /// No side: the end of a bucket.
 pub(super) const END: u32 = u32::MAX;
@@ -83,28 +88,27 @@ impl<const FACES: usize> Sides<FACES> {
         let after_ca = self.make_head(ca, number + 2);
         let after_bc = self.make_head(bc, number + 1);
         let after_ab = self.make_head(ab, number);
-        if let Some((_, [entry, ..])) = self.faces.split_at_mut_checked(face) {
-            *entry = FaceSides {
-                corners: [a, b, c],
-                hashes,
-                next: [after_ab, after_bc, after_ca],
-            };
-        }
+        let entry = FaceSides {
+            corners: [a, b, c],
+            hashes,
+            next: [after_ab, after_bc, after_ca],
+        };
+        set(&mut self.faces, face, entry);
     }
 
     /// The face that a side with a number has; one without an area where none was entered.
     pub(super) const fn face_of(&self, side: u32) -> FaceSides {
-        match self.faces.split_at_checked((side / 4) as usize) {
-            Some((_, [face, ..])) => *face,
-            _ => FaceSides::NONE,
+        match get(&self.faces, (side / 4) as usize) {
+            Some(face) => face,
+            None => FaceSides::NONE,
         }
     }
 
     /// The first side in the bucket of a hash, or [`END`].
     pub(super) const fn first(&self, hash: u32) -> u32 {
-        match self.heads.split_at_checked(Self::bucket(hash)) {
-            Some((_, [head, ..])) => *head,
-            _ => END,
+        match get(&self.heads, Self::bucket(hash)) {
+            Some(head) => head,
+            None => END,
         }
     }
 
@@ -117,14 +121,9 @@ impl<const FACES: usize> Sides<FACES> {
 
     /// Makes a side the head of the bucket of its hash, and returns the previous head.
     const fn make_head(&mut self, hash: u32, side: u32) -> u32 {
-        match self.heads.split_at_mut_checked(Self::bucket(hash)) {
-            Some((_, [head, ..])) => {
-                let before = *head;
-                *head = side;
-                before
-            }
-            _ => END,
-        }
+        let before = self.first(hash);
+        set(&mut self.heads, Self::bucket(hash), side);
+        before
     }
 }
 
@@ -147,14 +146,6 @@ pub(super) const fn of_side<T: Copy>([ab, bc, ca]: [T; 3], side: u32) -> T {
         0 => ab,
         1 => bc,
         _ => ca,
-    }
-}
-
-/// The position of a vertex; that of one that is not there is the origin.
-const fn position(vertices: &[[i16; 3]], vertex: u16) -> [i16; 3] {
-    match vertices.split_at_checked(vertex as usize) {
-        Some((_, [position, ..])) => *position,
-        _ => [0; 3],
     }
 }
 
