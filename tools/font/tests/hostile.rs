@@ -72,11 +72,11 @@ fn gives_a_font(bytes: &[u8], hinting: Hinting, what: impl Fn() -> String) -> bo
 fn files_that_end_early() {
     let bytes = dejavu::sans::regular();
     let fonts = (0..bytes.len())
-        .step_by(97)
+        .step_by(389)
         .filter(|&length| gives_a_font(&bytes[..length], Hinting::None, || format!("{length} bytes")))
         .count();
     // The tables of the chosen glyphs lie before the end of the file.
-    assert!(fonts > 0 && fonts < bytes.len() / 97, "{fonts}");
+    assert!(fonts > 0 && fonts < bytes.len() / 389, "{fonts}");
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn wrong_bytes_in_every_table() {
     for table in 0..tables {
         let record = 12 + 16 * table;
         let (offset, length) = (number(record + 8), number(record + 12));
-        for attempt in 0..40 {
+        for attempt in 0..12 {
             let mut bytes = whole.to_vec();
             for _ in 0..1 + random.next() % 40 {
                 // Often near the start, where counts and offsets are.

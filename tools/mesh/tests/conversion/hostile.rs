@@ -134,7 +134,7 @@ fn every_line_of_a_model_is_mutated() {
     let mut random = Random(0x2468_ace1);
     let (mut models, mut attempts) = (0, 0);
     for line in 0..MODEL.split(|&byte| byte == b'\n').count() {
-        for _ in 0..60 {
+        for _ in 0..15 {
             let bytes = mutated(MODEL, line, &mut random);
             let beside: Files<'_> = &[("letter.mtl", MATERIALS), ("letter.png", PICTURE)];
             let what = || String::from_utf8_lossy(&bytes[..bytes.len().min(2_000)]).into_owned();
