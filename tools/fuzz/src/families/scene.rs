@@ -10,7 +10,7 @@ use embedded_graphics::{
     primitives::{PointsIter, Rectangle},
 };
 use zrow::{
-    band::{Band, BigEndian, LittleEndian, Order},
+    band::{Band, BigEndian, LittleEndian},
     draw::{Picture, PictureSlot},
     geometry::{InputError, Sub4, Sub8, TooSmall, Window},
     scene::{Camera, DepthWidth, FaceSet, Memory, Model, Prepared, SceneItem, ScreenPrecision},
@@ -37,23 +37,13 @@ pub struct FrameCase {
     kind: Kind,
 }
 
-/// A picture and whether depths were used for it in every row.
-fn draw<S, D, const CUTS: bool, O>(
+/// A part of the picture.
+fn draw<S: ScreenPrecision, D: DepthWidth, const CUTS: bool>(
     prepared: &mut Prepared<'_, '_, LookOf<Rgb565, S, D, CUTS>>,
     window: Window,
-    always: bool,
-) -> anyhow::Result<Vec<Rgb565>>
-where
-    S: ScreenPrecision,
-    D: DepthWidth,
-    O: Order,
-{
-    Canvas::new(window).draw::<O>(|band| {
-        if always {
-            prepared.draw_with(band, |_| {});
-        } else {
-            prepared.draw(band);
-        }
+) -> anyhow::Result<Vec<Rgb565>> {
+    Canvas::new(window).draw::<LittleEndian>(|band| {
+        prepared.draw(band);
         Ok(())
     })
 }
@@ -120,8 +110,11 @@ impl FrameCase {
             }
             Err(error) => bail!("{error} with room for all"),
         };
-        let full = draw::<S, D, true, LittleEndian>(&mut prepared, viewport, false)?;
-        let with_depths = draw::<S, D, true, BigEndian>(&mut prepared, viewport, true)?;
+        let full = draw::<S, D, true>(&mut prepared, viewport)?;
+        let with_depths = Canvas::new(viewport).draw::<BigEndian>(|band| {
+            prepared.draw_with(band, |_| {});
+            Ok(())
+        })?;
         is_same(&viewport, &full, &with_depths).context("where faces overlap, the other with depths always")?;
         // Bands of some rows, in any order.
         let rows = 1 + usize::from(self.rows) % 8;
@@ -138,7 +131,7 @@ impl FrameCase {
                 bands.reverse();
             }
             for band in bands {
-                let picture = draw::<S, D, true, LittleEndian>(&mut prepared, band, false)?;
+                let picture = draw::<S, D, true>(&mut prepared, band)?;
                 is_same(&band, &cut(&viewport, &full, &band), &picture).context("whole, the other in bands")?;
             }
         }
@@ -150,7 +143,7 @@ impl FrameCase {
             right: viewport.right + right,
             bottom: viewport.bottom + bottom,
         };
-        let picture = draw::<S, D, true, LittleEndian>(&mut prepared, around, false)?;
+        let picture = draw::<S, D, true>(&mut prepared, around)?;
         for (point, found) in around.to_rectangle().points().zip(&picture) {
             let index = viewport.contains(point).then(|| {
                 let (column, row) = (point.x.abs_diff(viewport.left), point.y.abs_diff(viewport.top));
@@ -173,7 +166,7 @@ impl FrameCase {
         let mut frame = Large::<S, D, false>::new();
         match frame.prepare(&camera, &models) {
             Ok(mut prepared) => {
-                let whole = draw::<S, D, false, LittleEndian>(&mut prepared, viewport, false)?;
+                let whole = draw::<S, D, false>(&mut prepared, viewport)?;
                 is_same(&viewport, &full, &whole).context("with a frame that cuts, without")?;
             }
             Err(InputError::BeforeNearPlane { model } | InputError::BeyondGuardBand { model }) => {
@@ -196,7 +189,7 @@ impl FrameCase {
         for count in (0..=models.len()).rev() {
             match frame.prepare(camera, &models[..count]) {
                 Ok(mut prepared) => {
-                    let picture = draw::<S, D, CUTS, LittleEndian>(&mut prepared, *viewport, false)?;
+                    let picture = draw::<S, D, CUTS>(&mut prepared, *viewport)?;
                     if count == models.len() {
                         is_same(viewport, full, &picture).context("with large tables, with small ones")?;
                     } else {
@@ -205,7 +198,7 @@ impl FrameCase {
                             Ok(prepared) => prepared,
                             Err(error) => bail!("{error} with room for all, where a small table has room"),
                         };
-                        let other = draw::<S, D, CUTS, LittleEndian>(&mut prepared, *viewport, false)?;
+                        let other = draw::<S, D, CUTS>(&mut prepared, *viewport)?;
                         is_same(viewport, &other, &picture)
                             .context("with large tables, with small ones after an error")?;
                     }
@@ -285,7 +278,7 @@ impl DepthCase {
         let models = models(&meshes, &all_colors)?;
         let mut frame = Depths::<S>::new();
         let picture = match frame.prepare(&camera, &models) {
-            Ok(mut prepared) => draw::<S, u16, true, LittleEndian>(&mut prepared, viewport, false)?,
+            Ok(mut prepared) => draw::<S, u16, true>(&mut prepared, viewport)?,
             Err(_) => return Ok(()),
         };
         let mut nearest = vec![(0, background()); picture.len()];
@@ -346,7 +339,7 @@ impl Case for AtDepthCase {
             Ok(prepared) => prepared,
             Err(error) => bail!("{error} with room for all"),
         };
-        let plain = draw::<Sub8, u16, true, LittleEndian>(&mut prepared, viewport, false)?;
+        let plain = draw::<Sub8, u16, true>(&mut prepared, viewport)?;
         let color = |call: usize| Rgb565::from(RawU16::new(0x0101 + call as u16));
         let origin = Point::new(viewport.left, viewport.top);
         let area =

@@ -361,22 +361,28 @@ enum Kind {
     Rgb888,
 }
 
+/// The colours of a band on a background, after something has drawn into it.
+fn drawn<C: BandColor, O: Order>(
+    window: &Window,
+    background: C,
+    draw: impl FnOnce(&mut Band<'_, C, O>),
+) -> anyhow::Result<Vec<C>> {
+    let pixels = window.width() as usize * window.height() as usize;
+    let mut words = vec![Band::<C, O>::word(background); pixels];
+    let mut band = Band::<C, O>::new(window.to_rectangle(), &mut words).context("enough words")?;
+    draw(&mut band);
+    Ok(band.colors().collect())
+}
+
 /// A part of a picture on a background.
-fn part<L: Look, O: Order>(
+fn part<L: Look>(
     prepared: &mut Prepared<'_, '_, L>,
     window: &Window,
     background: L::Color,
-    always: bool,
 ) -> anyhow::Result<Vec<L::Color>> {
-    let pixels = window.width() as usize * window.height() as usize;
-    let mut words = vec![Band::<L::Color, O>::word(background); pixels];
-    let mut band = Band::<L::Color, O>::new(window.to_rectangle(), &mut words).context("enough words")?;
-    if always {
-        prepared.draw_with(&mut band, |_| {});
-    } else {
-        prepared.draw(&mut band);
-    }
-    Ok(band.colors().collect())
+    drawn::<_, LittleEndian>(window, background, |band| {
+        prepared.draw(band);
+    })
 }
 
 /// A picture of a viewport.
@@ -412,7 +418,7 @@ impl<C: BandColor> Picture<C> {
             ..self.viewport
         });
         for window in rows.clone().chain(rows.rev()).chain(windows.iter().copied()) {
-            let found = part::<L, LittleEndian>(prepared, &window, self.background, false)?;
+            let found = part(prepared, &window, self.background)?;
             self.has(&window, &found)
                 .with_context(|| format!("whole, the other in {window:?}"))?;
         }
@@ -466,8 +472,7 @@ impl ShadingCase {
         let mut memory = Memory::<Whole<L>, 512, 24, 24, 24, 24>::new();
         match memory.prepare(&camera, &models) {
             Ok(mut prepared) => {
-                let whole =
-                    part::<Whole<L>, LittleEndian>(&mut prepared, &picture.viewport, picture.background, false)?;
+                let whole = part(&mut prepared, &picture.viewport, picture.background)?;
                 picture
                     .has(&picture.viewport, &whole)
                     .context("with a frame that cuts, without")?;
@@ -506,11 +511,13 @@ impl ShadingCase {
         };
         let picture = Picture {
             viewport,
-            colors: part::<L, LittleEndian>(&mut prepared, &viewport, background, false)?,
+            colors: part(&mut prepared, &viewport, background)?,
             background,
         };
         let windows = self.windows(&viewport);
-        let with_depths = part::<L, BigEndian>(&mut prepared, &viewport, background, true)?;
+        let with_depths = drawn::<_, BigEndian>(&viewport, background, |band| {
+            prepared.draw_with(band, |_| {});
+        })?;
         picture
             .has(&viewport, &with_depths)
             .context("where faces overlap, the other with depths always")?;
@@ -519,7 +526,7 @@ impl ShadingCase {
         let Ok(mut prepared) = memory.prepare(camera, models) else {
             bail!("an error with one slot only");
         };
-        let one_slot = part::<L, LittleEndian>(&mut prepared, &viewport, background, false)?;
+        let one_slot = part(&mut prepared, &viewport, background)?;
         picture.has(&viewport, &one_slot).context("with many slots, with one")?;
         picture.check_parts(&mut prepared, &windows).context("with one slot")?;
         ensure!(
@@ -533,42 +540,24 @@ impl ShadingCase {
 impl Case for ShadingCase {
     fn check(&self) -> Verdict {
         match (self.method, self.kind) {
-            (Method::FlatLit, Kind::Rgb565) => self.check_kind::<FlatLit<Rgb565>>(),
-            (Method::FlatLit, Kind::FineRgb565) => self.check_kind::<Fine<FlatLit<Rgb565, Lambert<3>>>>(),
-            (Method::FlatLit, Kind::DeepRgb565) => self.check_kind::<Deep<FlatLit<Rgb565, Lambert<0>>>>(),
+            // Each kind of pixels and depths with two or three of these four.
             (Method::FlatLit, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<FlatLit<Rgb565, Lambert<2>>>>>(),
-            (Method::FlatLit, Kind::DeepGray8) => self.check_kind::<Deep<FlatLit<Gray8>>>(),
             (Method::FlatLit, Kind::FineBinary) => self.check_kind::<Fine<FlatLit<BinaryColor>>>(),
             (Method::FlatLit, Kind::Rgb888) => self.check_kind::<FlatLit<Rgb888, Lambert<2>>>(),
-            (Method::Gouraud, Kind::Rgb565) => self.check_kind::<Gouraud<Rgb565>>(),
+            (Method::FlatLit, _) => self.check_kind::<FlatLit<Rgb565>>(),
             (Method::Gouraud, Kind::FineRgb565) => self.check_kind::<Fine<Gouraud<Rgb565, Lambert<3>>>>(),
             (Method::Gouraud, Kind::DeepRgb565) => self.check_kind::<Deep<Gouraud<Rgb565, Lambert<0>>>>(),
-            (Method::Gouraud, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<Gouraud<Rgb565, Lambert<2>>>>>(),
             (Method::Gouraud, Kind::DeepGray8) => self.check_kind::<Deep<Gouraud<Gray8>>>(),
-            (Method::Gouraud, Kind::FineBinary) => self.check_kind::<Fine<Gouraud<BinaryColor>>>(),
-            (Method::Gouraud, Kind::Rgb888) => self.check_kind::<Gouraud<Rgb888, Lambert<2>>>(),
-            (Method::Textured, Kind::Rgb565) => self.check_kind::<Textured<Texels<Rgb565, 8, 4>>>(),
-            (Method::Textured, Kind::FineRgb565) => self.check_kind::<Fine<Textured<Texels<Rgb565, 8, 4>>>>(),
+            (Method::Gouraud, _) => self.check_kind::<Gouraud<Rgb565>>(),
             (Method::Textured, Kind::DeepRgb565) => self.check_kind::<Deep<Textured<Texels<Rgb565, 8, 4>>>>(),
-            (Method::Textured, Kind::FineDeepRgb565) => self.check_kind::<Fine<Deep<Textured<Texels<Rgb565, 8, 4>>>>>(),
-            (Method::Textured, Kind::DeepGray8) => self.check_kind::<Deep<Textured<Texels<Gray8, 8, 4>>>>(),
             (Method::Textured, Kind::FineBinary) => self.check_kind::<Fine<Textured<Texels<BinaryColor, 8, 4>, 8>>>(),
             (Method::Textured, Kind::Rgb888) => self.check_kind::<Textured<Texels<Rgb888, 8, 4>, 1>>(),
-            (Method::LitTextured, Kind::Rgb565) => self.check_kind::<LitTextured<Texels<Rgb565, 1, 16>>>(),
-            (Method::LitTextured, Kind::FineRgb565) => {
-                self.check_kind::<Fine<LitTextured<Texels<Rgb565, 1, 16>, Lambert<3>>>>()
-            }
-            (Method::LitTextured, Kind::DeepRgb565) => {
-                self.check_kind::<Deep<LitTextured<Texels<Rgb565, 1, 16>, Lambert<0>>>>()
-            }
+            (Method::Textured, _) => self.check_kind::<Textured<Texels<Rgb565, 8, 4>>>(),
             (Method::LitTextured, Kind::FineDeepRgb565) => {
                 self.check_kind::<Fine<Deep<LitTextured<Texels<Rgb565, 1, 16>>>>>()
             }
             (Method::LitTextured, Kind::DeepGray8) => self.check_kind::<Deep<LitTextured<Texels<Gray8, 1, 16>>>>(),
-            (Method::LitTextured, Kind::FineBinary) => {
-                self.check_kind::<Fine<LitTextured<Texels<BinaryColor, 1, 16>>>>()
-            }
-            (Method::LitTextured, Kind::Rgb888) => self.check_kind::<LitTextured<Texels<Rgb888, 1, 16>, Lambert<2>>>(),
+            (Method::LitTextured, _) => self.check_kind::<Fine<LitTextured<Texels<Rgb565, 1, 16>, Lambert<3>>>>(),
             (Method::Holes, Kind::Rgb888) => self.check_kind::<Textured<CutOut<Indexed<Rgb888, 2, 4, 4>>>>(),
             (Method::Holes, Kind::FineDeepRgb565) => {
                 self.check_kind::<Fine<Deep<Textured<CutOut<Indexed<Rgb565, 2, 4, 4>>>>>>()

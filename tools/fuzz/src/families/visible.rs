@@ -5,7 +5,7 @@ use arbitrary::Arbitrary;
 use embedded_graphics::{pixelcolor::Rgb565, primitives::PointsIter};
 use zrow::{
     band::{Band, LittleEndian},
-    geometry::{Sub4, Sub8, Window},
+    geometry::{Sub4, Sub8, TooSmall, Window},
     scan::Polygons,
     scene::{Antialiased, Camera, DepthWidth, DoubleSided, Memory, Model, Prepared, ScreenPrecision},
     visible::{
@@ -40,31 +40,57 @@ fn lies_within(work: &Work, part: &Window) -> bool {
     }
 }
 
-/// Draws a part of the picture by a method: the picture of the depth row; or an error, and nothing was drawn.
-fn check_method<S: ScreenPrecision, D: DepthWidth>(
-    prepared: &mut Prepared<'_, '_, Look<S, D>>,
-    part: &Window,
-    expected: &[Rgb565],
-    method: &mut impl Visibility<D>,
-    is_enough: bool,
-) -> Verdict {
-    let (mut result, mut is_within) = (Ok(()), true);
-    let drawn = Canvas::new(*part).draw::<LittleEndian>(|band| {
-        result = if part.left % 2 == 0 {
-            prepared.draw_by(method, band)
-        } else {
-            prepared.draw_by_with(method, band, |work| is_within &= lies_within(&work, part))
-        };
+/// A part of the picture, as the depth row draws it.
+struct Expected<'e> {
+    part: &'e Window,
+    colors: &'e [Rgb565],
+}
+
+impl Expected<'_> {
+    /// Draws the part by a method.
+    fn check<S: ScreenPrecision, D: DepthWidth>(
+        &self,
+        prepared: &mut Prepared<'_, '_, Look<S, D>>,
+        method: &mut impl Visibility<D>,
+        is_enough: bool,
+    ) -> Verdict {
+        self.check_drawn(is_enough, |band| prepared.draw_by(method, band))
+    }
+
+    /// Draws the part by a method that reports its work, which lies in the part.
+    fn check_with_work<S: ScreenPrecision, D: DepthWidth>(
+        &self,
+        prepared: &mut Prepared<'_, '_, Look<S, D>>,
+        method: &mut impl Visibility<D>,
+        is_enough: bool,
+    ) -> Verdict {
+        let mut is_within = true;
+        self.check_drawn(is_enough, |band| {
+            prepared.draw_by_with(method, band, |work| is_within &= lies_within(&work, self.part))
+        })?;
+        ensure!(is_within, "work beside what is drawn");
         Ok(())
-    })?;
-    ensure!(is_within, "work beside what is drawn");
-    match result {
-        Ok(()) => is_same(part, expected, &drawn).context("by the depth row, the other by a method"),
-        Err(error) if is_enough => bail!("{error} with room for all"),
-        Err(error) => {
-            ensure!(error.needed() > 0, "{error}");
-            ensure!(drawn.iter().all(|color| *color == background()), "{error}, but drawn");
+    }
+
+    /// Draws the part: the picture of the depth row; or an error, and nothing was drawn.
+    fn check_drawn(
+        &self,
+        is_enough: bool,
+        draw: impl FnOnce(&mut Band<'_, Rgb565, LittleEndian>) -> Result<(), TooSmall>,
+    ) -> Verdict {
+        let mut result = Ok(());
+        let drawn = Canvas::new(*self.part).draw::<LittleEndian>(|band| {
+            result = draw(band);
             Ok(())
+        })?;
+        match result {
+            Ok(()) => is_same(self.part, self.colors, &drawn).context("by the depth row, the other by a method"),
+            Err(error) if is_enough => bail!("{error} with room for all"),
+            Err(error) => {
+                ensure!(error.needed() > 0, "{error}");
+                ensure!(drawn.iter().all(|color| *color == background()), "{error}, but drawn");
+                Ok(())
+            }
         }
     }
 }
@@ -166,29 +192,34 @@ impl VisibilityCase {
             ensure!(face_at(point) == seen, "another face through a grid at {point:?}");
         }
         drop(face_at);
+        let expected = Expected {
+            part: &part,
+            colors: &expected,
+        };
         macro_rules! check {
-            ($($method:expr, $is_enough:literal;)*) => {
-                $(check_method::<S, D>(&mut prepared, &part, &expected, &mut $method, $is_enough)?;)*
+            ($($check:ident: $method:expr, $is_enough:literal;)*) => {
+                $(expected.$check::<S, D>(&mut prepared, &mut $method, $is_enough)?;)*
             };
         }
+        // Each method reports its work once: what reports is compiled anew.
         check! {
-            DepthBuffer::<D, 576>::new(), true;
-            DepthBuffer::<D, 99>::new(), false;
-            DepthSort::<400, 50>::new(), true;
-            DepthSort::<300, 1>::new(), true;
-            DepthSort::<3, 2>::new(), false;
-            GridRayCasting::<300, 512, 4_000>::new(), true;
-            GridRayCasting::<300, 60, 200>::new(), true;
-            GridRayCasting::<4, 8, 9>::new(), false;
-            OneDepth::new(Polygons::winding_number), true;
-            RayCasting::<300>::new(), true;
-            RayCasting::<4>::new(), false;
-            SpanScanLine::<24>::new(), true;
-            SpanScanLine::<2>::new(), true;
-            TileBins::<D, 4, 1_200>::new(), true;
-            TileBins::<D, 2, 9>::new(), false;
-            Warnock::<300>::new(), true;
-            Warnock::<3, _>::by_region_codes(), true;
+            check_with_work: DepthBuffer::<D, 576>::new(), true;
+            check: DepthBuffer::<D, 99>::new(), false;
+            check_with_work: DepthSort::<400, 50>::new(), true;
+            check: DepthSort::<300, 1>::new(), true;
+            check: DepthSort::<3, 2>::new(), false;
+            check: GridRayCasting::<300, 512, 4_000>::new(), true;
+            check_with_work: GridRayCasting::<300, 60, 200>::new(), true;
+            check: GridRayCasting::<4, 8, 9>::new(), false;
+            check_with_work: OneDepth::new(Polygons::winding_number), true;
+            check_with_work: RayCasting::<300>::new(), true;
+            check: RayCasting::<4>::new(), false;
+            check: SpanScanLine::<24>::new(), true;
+            check_with_work: SpanScanLine::<2>::new(), true;
+            check_with_work: TileBins::<D, 4, 1_200>::new(), true;
+            check: TileBins::<D, 2, 9>::new(), false;
+            check_with_work: Warnock::<300>::new(), true;
+            check: Warnock::<3, _>::by_region_codes(), true;
         }
         check_silhouettes::<S, D>(camera, models, &part)?;
         check_solids::<S, D>(camera, models, &part)
