@@ -1,8 +1,8 @@
 //! Whether a mesh is convex: each vertex is on or behind the plane of each face.
 
 use crate::mesh::{
+    element::element,
     face_normal::{dot, normal, way},
-    slots::get,
 };
 
 /// Whether no vertex is in front of the plane of a face.
@@ -33,7 +33,7 @@ const fn is_behind(vertices: &[[i16; 3]], corners: [[i16; 3]; 3]) -> bool {
 
 /// The position of a vertex; the origin where it is not there.
 pub(super) const fn position(vertices: &[[i16; 3]], index: u16) -> [i16; 3] {
-    match get(vertices, index as usize) {
+    match element(vertices, index as usize) {
         Some(position) => position,
         None => [0; 3],
     }

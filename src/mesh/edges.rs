@@ -8,9 +8,9 @@ use fixed::types::I2F14;
 
 use crate::mesh::{
     Edge,
+    element::set_element,
     face_normal::cosine_is_below,
     sides::{END, Ends, FaceSides, Sides, named, of_side, side_number},
-    slots::set,
 };
 
 /// The cosine of no angle, with 14 fractional bits.
@@ -33,7 +33,7 @@ pub(super) const fn find<const FACES: usize, const EDGES: usize>(
             if let Some(beside) = sides.beside(&of_face, number + side) {
                 let ends = of_side([[*a, *b], [*b, *c], [*c, *a]], side);
                 if let Some(edge) = beside.edge(ends, face as u16, normal, cosine) {
-                    set(&mut edges, count, edge);
+                    set_element(&mut edges, count, edge);
                     count += 1;
                 }
             }

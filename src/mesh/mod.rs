@@ -7,6 +7,7 @@ mod bounding_volume;
 mod convex;
 mod edge;
 mod edges;
+mod element;
 mod enclosing_ball;
 mod face_normal;
 mod face_planes;
@@ -15,7 +16,6 @@ mod neighbours;
 mod octahedral_normal;
 mod polygons;
 mod sides;
-mod slots;
 
 pub use bounding_box::BoundingBox;
 pub use bounding_cylinder::BoundingCylinder;

@@ -4,7 +4,7 @@
 //! one surface. An edge that only one face has bounds the surface, and in one that three or more have surfaces meet; both have
 //! no neighbour.
 
-use crate::mesh::slots::{get, set};
+use crate::mesh::element::{element, set_element};
 
 /// In a table of neighbours: there is none.
 pub(super) const NO_NEIGHBOUR: u16 = u16::MAX;
@@ -25,7 +25,7 @@ pub(super) const fn find<const FACES: usize>(faces: &[[u16; 3]; FACES]) -> [[u16
             enter(&mut heads, bc, edge_number(face, 1)),
             enter(&mut heads, ca, edge_number(face, 2)),
         ];
-        set(&mut next, face, of_face);
+        set_element(&mut next, face, of_face);
         face += 1;
     }
     let mut neighbours = [[NO_NEIGHBOUR; 3]; FACES];
@@ -37,7 +37,7 @@ pub(super) const fn find<const FACES: usize>(faces: &[[u16; 3]; FACES]) -> [[u16
             across(faces, &heads, &next, bc),
             across(faces, &heads, &next, ca),
         ];
-        set(&mut neighbours, face, of_face);
+        set_element(&mut neighbours, face, of_face);
         face += 1;
     }
     neighbours
@@ -51,7 +51,7 @@ const fn edges([a, b, c]: [u16; 3]) -> [Edge; 3] {
 }
 
 const fn face_at(faces: &[[u16; 3]], face: usize) -> [u16; 3] {
-    match get(faces, face) {
+    match element(faces, face) {
         Some(corners) => corners,
         None => [0; 3],
     }
@@ -72,7 +72,7 @@ const fn bucket([from, to]: Edge, buckets: usize) -> usize {
 
 /// The first edge in the bucket of an edge, by its number, or [`END`].
 const fn first(heads: &[u32], edge: Edge) -> u32 {
-    match get(heads, bucket(edge, heads.len())) {
+    match element(heads, bucket(edge, heads.len())) {
         Some(head) => head,
         None => END,
     }
@@ -81,7 +81,7 @@ const fn first(heads: &[u32], edge: Edge) -> u32 {
 /// Makes an edge the head of its bucket, and returns the previous head.
 const fn enter(heads: &mut [u32], edge: Edge, number: u32) -> u32 {
     let before = first(heads, edge);
-    set(heads, bucket(edge, heads.len()), number);
+    set_element(heads, bucket(edge, heads.len()), number);
     before
 }
 
@@ -92,7 +92,7 @@ const fn across(faces: &[[u16; 3]], heads: &[u32], next: &[[u32; 3]], [from, to]
     while number != END {
         let (face, edge) = ((number / 4) as usize, number % 4);
         let [ab, bc, ca] = edges(face_at(faces, face));
-        let [after_ab, after_bc, after_ca] = match get(next, face) {
+        let [after_ab, after_bc, after_ca] = match element(next, face) {
             Some(after) => after,
             None => [END; 3],
         };

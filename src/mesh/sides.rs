@@ -3,13 +3,13 @@
 //!
 //! A side has a number: four times the index of its face, and 0 from the first corner to the second, 1 from there to the third,
 //! 2 back to the first. There are as many buckets as faces, and the sides of a bucket have ascending numbers. All of a face
-//! lies in one entry: one look into a table for the compiler, which counts its steps.
+//! lies in one entry, so that the compiler, which counts its steps, takes it out of the table at once.
 
 use crate::mesh::{
     convex::position,
+    element::{element, set_element},
     face_normal::normal,
     neighbours::NO_NEIGHBOUR,
-    slots::{get, set},
 };
 
 /// No side: the end of a bucket.
@@ -93,12 +93,12 @@ impl<const FACES: usize> Sides<FACES> {
             hashes,
             next: [after_ab, after_bc, after_ca],
         };
-        set(&mut self.faces, face, entry);
+        set_element(&mut self.faces, face, entry);
     }
 
     /// The face that a side with a number has; one without an area where none was entered.
     pub(super) const fn face_of(&self, side: u32) -> FaceSides {
-        match get(&self.faces, (side / 4) as usize) {
+        match element(&self.faces, (side / 4) as usize) {
             Some(face) => face,
             None => FaceSides::NONE,
         }
@@ -106,7 +106,7 @@ impl<const FACES: usize> Sides<FACES> {
 
     /// The first side in the bucket of a hash, or [`END`].
     pub(super) const fn first(&self, hash: u32) -> u32 {
-        match get(&self.heads, Self::bucket(hash)) {
+        match element(&self.heads, Self::bucket(hash)) {
             Some(head) => head,
             None => END,
         }
@@ -122,7 +122,7 @@ impl<const FACES: usize> Sides<FACES> {
     /// Makes a side the head of the bucket of its hash, and returns the previous head.
     const fn make_head(&mut self, hash: u32, side: u32) -> u32 {
         let before = self.first(hash);
-        set(&mut self.heads, Self::bucket(hash), side);
+        set_element(&mut self.heads, Self::bucket(hash), side);
         before
     }
 }

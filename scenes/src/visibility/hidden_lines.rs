@@ -36,8 +36,8 @@ static BLACK: [Rgb565; TEAPOT.faces().len()] = [Rgb565::BLACK; TEAPOT.faces().le
 type Look = Fine<Rgb565>;
 type Part = LinePart<Sub8>;
 
-/// The edges of a mesh, and how many there are, which the compiler would take as long to count as to find; faces that turn by
-/// more than the angle of a cosine meet in a crease.
+/// The edges of a mesh, whose number is given: to count them would take the compiler as long as to find them. Faces that turn
+/// by more than the angle of a cosine meet in a crease.
 macro_rules! edges {
     ($name:ident: $mesh:expr, $count:literal, $cosine:literal) => {
         static $name: [Edge; $count] = {
