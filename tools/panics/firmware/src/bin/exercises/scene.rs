@@ -100,7 +100,8 @@ fn memory<C: BandColor + 'static, S: ScreenPrecision, D: DepthWidth + 'static, c
         any(),
     ));
     look::<LookOf<C, S, D, CUTS>>();
-    other_orders::<LookOf<C, S, D, CUTS>>();
+    // An order only swaps the bytes of a word: looks of each precision and depth are drawn in both, others in one of them.
+    drawings::<LookOf<C, S, D, CUTS>, BigEndian>();
 }
 
 /// A scene in the samples of a band.
@@ -124,12 +125,17 @@ fn samples<L: Look<Color: ChannelColor>, P: SamplePattern + 'static>() {
     ));
 }
 
-/// Calls the functions of scenes whose types have no capacities, each way to draw in one order of bytes.
+/// Calls the functions of scenes whose types have no capacities, with both ways to draw in the same order of bytes, in which they
+/// share the functions that take seconds to compile.
 #[inline(never)]
 fn look<L: Look>() {
+    look_in::<L, LittleEndian>();
+}
+
+#[inline(never)]
+fn look_in<L: Look, O: Order + 'static>() {
     keep(Frame::<L>::prepare(any(), any(), any()));
-    keep(Prepared::<L>::draw::<LittleEndian>(any(), any()));
-    draw_with::<L, BigEndian>();
+    drawings::<L, O>();
     keep(Prepared::<L>::rows_without_depth(any()));
     keep(Prepared::<L>::rows_in_passes(any()));
     keep(Prepared::<L>::active_needed(any()));
@@ -143,16 +149,9 @@ fn look<L: Look>() {
     keep_all(Prepared::<L>::edges(any(), any(), any()));
 }
 
-/// Each way to draw in the other order of bytes than in [`look`]: for looks of each precision and depth alone, because each drawing
-/// of a look takes seconds to compile, and an order only swaps the bytes of a word.
 #[inline(never)]
-fn other_orders<L: Look>() {
-    keep(Prepared::<L>::draw::<BigEndian>(any(), any()));
-    draw_with::<L, LittleEndian>();
-}
-
-#[inline(never)]
-fn draw_with<L: Look, O: Order + 'static>() {
+fn drawings<L: Look, O: Order + 'static>() {
+    keep(Prepared::<L>::draw::<O>(any(), any()));
     keep(Prepared::<L>::draw_with::<O>(any(), any(), |row| {
         keep(row.y());
         row_target(row.at_depth(any()));
@@ -176,11 +175,11 @@ fn counted() {
 }
 
 /// A shading in two looks that have nothing in common: faces are cut or not, in positions of 16 or 32 bits, with depths of 16 or
-/// 32 bits, in passes or in one. The other combinations are those of [`in_all_formats`].
+/// 32 bits, in passes or in one, in either order of bytes. The other combinations are those of [`in_all_formats`].
 #[inline(never)]
 fn shaded<H: Shading>() {
     look::<H>();
-    look::<Fine<Whole<Deep<OnePass<H>>>>>();
+    look_in::<Fine<Whole<Deep<OnePass<H>>>>, BigEndian>();
     // So few slots that all rows are drawn in passes.
     keep(Memory::<H, 320, 588, 240, 128, 1>::new());
     keep(Memory::<H, 320, 588, 240, 128, 1>::prepare(any(), any(), any()));
