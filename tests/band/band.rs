@@ -15,7 +15,7 @@ use zrow::{
     geometry::{TooSmall, Window},
 };
 
-use crate::common::config;
+use crate::common::{cases, config};
 
 fn color(value: u16) -> Rgb565 {
     RawU16::new(value).into()
@@ -213,7 +213,7 @@ fn clamped_length(start: i64, end: i64) -> i64 {
 }
 
 proptest! {
-    #![proptest_config(config(3000))]
+    #![proptest_config(config(cases(3_000, 3_000)))]
 
     #[test]
     fn what_is_inside_is_drawn_and_nothing_else(

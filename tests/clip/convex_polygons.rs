@@ -6,7 +6,7 @@ use zrow::geometry::{ConvexWindow, Sub4, Sub8, SubPixel, SubPoint, TooSmall};
 
 use crate::{
     any_units::AnyUnits,
-    common::config,
+    common::{cases, config},
     convex_windows::{any_position, any_window, position, sub_points, window_within},
     reference::convex_parts::{Exact, Position, area, exact_polygon, rounded},
 };
@@ -86,7 +86,7 @@ fn polygon_within(low: i32, high: i32) -> impl Strategy<Value = Vec<Position>> {
 }
 
 proptest! {
-    #![proptest_config(config(4000))]
+    #![proptest_config(config(cases(4_000, 4_000)))]
 
     /// Concave, self-crossing, with spikes: corners anywhere.
     #[test]

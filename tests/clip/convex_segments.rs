@@ -8,7 +8,7 @@ use zrow::{
 
 use crate::{
     any_units::{AnyUnits, sub_point},
-    common::config,
+    common::{cases, config},
     convex_windows::{any_position, any_window, hull, position, sub_points, window_within},
     reference::convex_parts::{Exact, Position, Side, exact_part, exact_segment, sides},
 };
@@ -147,7 +147,7 @@ fn check_exactly<S: AnyUnits>(from: Position, to: Position, windows: &[Vec<Posit
 }
 
 proptest! {
-    #![proptest_config(config(4000))]
+    #![proptest_config(config(cases(4_000, 4_000)))]
 
     #[test]
     fn segments_are_exact(

@@ -5,7 +5,7 @@ use zrow::geometry::{ConvexWindow, InputError, Sub4, SubPixel, SubPoint};
 
 use crate::{
     any_units::{AnyUnits, sub_point},
-    common::config,
+    common::{cases, config},
     reference::convex_parts::Position,
 };
 
@@ -77,7 +77,7 @@ pub fn any_window<S: AnyUnits>() -> impl Strategy<Value = Vec<Position>> {
 }
 
 proptest! {
-    #![proptest_config(config(4000))]
+    #![proptest_config(config(cases(4_000, 4_000)))]
 
     #[test]
     fn a_hull_is_a_window_and_a_dented_one_is_not(window in window_within(-300, 300), corner in 0..12usize) {

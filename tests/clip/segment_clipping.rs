@@ -8,7 +8,7 @@ use zrow::{
 
 use crate::{
     any_units::{AnyUnits, sub_point},
-    common::config,
+    common::{cases, config},
 };
 
 /// Coordinates and window in units: `(x, y)` and `[left, top, right, bottom]`, sides included.
@@ -250,7 +250,7 @@ fn check_mirrored<S: AnyUnits>(from: Position, to: Position, sides: Sides) {
 }
 
 proptest! {
-    #![proptest_config(config(6000))]
+    #![proptest_config(config(cases(6_000, 6_000)))]
 
     #[test]
     fn sub4_is_exact(from in position::<Sub4>(), to in position::<Sub4>(), sides in sides::<Sub4>()) {

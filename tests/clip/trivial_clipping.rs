@@ -7,7 +7,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::{clip::Classification, geometry::Window};
 
-use crate::common::config;
+use crate::common::{cases, config};
 
 /// What the pixels of a shape, and of the window, say.
 fn by_pixels(shape: &[Point], window: &Window) -> Classification {
@@ -75,7 +75,7 @@ fn every_small_rectangle_is_exact() {
 }
 
 proptest! {
-    #![proptest_config(config(1500))]
+    #![proptest_config(config(cases(1_500, 1_500)))]
 
     #[test]
     fn circles_are_exact(x in -90..90i32, y in -90..90i32, diameter in 0..120u32) {

@@ -11,6 +11,12 @@ fn depth() -> f64 {
     share.unwrap_or_else(|| panic!("ZROW_DEEP={value}: take a number from 0 to 1, such as 1 for all deep cases"))
 }
 
+/// Whether a test tries few cases: in a debug build, where tests are compiled without optimization, and the environment variable
+/// `ZROW_DEEP` does not ask for more.
+pub fn is_quick() -> bool {
+    cfg!(debug_assertions) && depth() == 0.0
+}
+
 /// Whether the environment variable `ZROW_DEEP` is above 0, as it is in `.ci/run`: for what takes a second or two and has no cases of
 /// which a share could be taken.
 pub fn is_deep() -> bool {
@@ -18,8 +24,12 @@ pub fn is_deep() -> bool {
 }
 
 /// The number of cases to try: `default`, or `deep` where the environment variable `ZROW_DEEP` is 1, or a number between them
-/// where it is a share of 1. With the fixed seed of [`config`] the cases of a default run are the first ones of a deep run.
+/// where it is a share of 1; an eighth of `default` where [`is_quick`]. With the fixed seed of [`config`] the cases of a run are the
+/// first ones of a deeper run. A sum that a test expects of all its cases is taken from it as well.
 pub fn cases(default: u32, deep: u32) -> u32 {
+    if is_quick() {
+        return default.div_ceil(8);
+    }
     default + (f64::from(deep.saturating_sub(default)) * depth()) as u32
 }
 

@@ -17,6 +17,16 @@ use zrow::{band::Band, draw::DrawOn};
 
 pub use cases::*;
 
+/// One of three numbers, such as how large a shape is or every how many-th case is tried: `quick` where [`is_quick`], `deep` where
+/// [`is_deep`], and `default` otherwise.
+pub fn by_depth(quick: usize, default: usize, deep: usize) -> usize {
+    match (is_quick(), is_deep()) {
+        (true, _) => quick,
+        (_, true) => deep,
+        _ => default,
+    }
+}
+
 /// The pixels of `area` that a drawing turned from black to another colour, row by row.
 pub fn painted(area: Rectangle, draw: impl FnOnce(&mut Band<'_, Rgb565>)) -> Vec<Point> {
     let mut words = vec![0u16; (area.size.width * area.size.height) as usize];

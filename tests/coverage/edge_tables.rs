@@ -8,12 +8,12 @@ use zrow::{
 };
 
 use crate::{
-    common::config,
+    common::{cases, config},
     measured::{sub_contours, window},
 };
 
 proptest! {
-    #![proptest_config(config(256))]
+    #![proptest_config(config(cases(256, 256)))]
 
     /// The number that a table needs is counted here row by row.
     #[test]

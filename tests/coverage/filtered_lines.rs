@@ -14,7 +14,7 @@ use zrow::{
     geometry::{InputError, Sub8, SubPoint, Window},
 };
 
-use crate::common::config;
+use crate::common::{cases, config};
 use crate::reference::cone_volume::{BOUNDS, Ideal, Units};
 
 const EVERYWHERE: Window = Window {
@@ -86,7 +86,7 @@ fn around(centre: (i32, i32), radius: i32) -> Window {
 }
 
 proptest! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(cases(150, 150)))]
 
     #[test]
     fn shares_are_those_of_the_filtered_ideal(start in near(), end in near()) {
@@ -107,7 +107,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(config(600))]
+    #![proptest_config(config(cases(600, 600)))]
 
     #[test]
     fn either_end_may_come_first(start in anywhere(), end in anywhere()) {

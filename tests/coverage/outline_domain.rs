@@ -10,8 +10,8 @@ use zrow::{
     geometry::{InputError, Sub8, SubPixel, SubPoint, TooSmall, Window},
 };
 
-use crate::common::config;
 use crate::common::numbers::any_number;
+use crate::common::{cases, config};
 
 /// A number in the domain, or nearly.
 fn domain_number() -> impl Strategy<Value = i32> {
@@ -57,7 +57,7 @@ fn edges_in_domain(outline: &dyn SubOutline) -> usize {
 }
 
 proptest! {
-    #![proptest_config(config(20_000))]
+    #![proptest_config(config(cases(20_000, 20_000)))]
 
     /// A line, an ellipse or an arc is one exactly where all of its box lies in the domain, and has no corner outside.
     #[test]
@@ -134,7 +134,7 @@ fn check_bands<T: CoverageMethod>(
 }
 
 proptest! {
-    #![proptest_config(config(4_000))]
+    #![proptest_config(config(cases(4_000, 4_000)))]
 
     /// An outline with a corner outside the domain is an error; any other has the same coverage in bands of any height.
     #[test]

@@ -14,7 +14,7 @@ use zrow::{
     prelude::*,
 };
 
-use crate::common::{config, picture};
+use crate::common::{cases, config, picture};
 
 const AREA: Rectangle = Rectangle::new(Point::new(-60, -60), Size::new(160, 160));
 
@@ -87,7 +87,7 @@ fn pixel() -> impl Strategy<Value = Point> {
 }
 
 proptest! {
-    #![proptest_config(config(150))]
+    #![proptest_config(config(cases(150, 150)))]
 
     #[test]
     fn pixels_are_those_drawn(

@@ -17,7 +17,7 @@ use zrow::{
     geometry::{DrawError, TooSmall, Window},
 };
 
-use crate::common::config;
+use crate::common::{cases, config};
 
 const NEW: Gray8 = Gray8::new(9);
 const WALL: Gray8 = Gray8::new(1);
@@ -155,7 +155,7 @@ fn pictures() -> impl Strategy<Value = Picture> {
 }
 
 proptest! {
-    #![proptest_config(config(1_500))]
+    #![proptest_config(config(cases(1_500, 1_500)))]
 
     #[test]
     fn fills_reach_what_a_search_by_pixels_reaches(picture in pictures(), x in 0i32..24, y in 0i32..24, far: bool) {

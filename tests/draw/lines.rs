@@ -9,7 +9,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle};
 
-use crate::common::{config, painted};
+use crate::common::{cases, config, painted};
 
 /// `floor(numerator / denominator + 1/2)`, the nearest integer with ties upwards.
 fn nearest(numerator: i128, denominator: i128) -> i128 {
@@ -83,7 +83,7 @@ fn point() -> impl Strategy<Value = Point> {
 }
 
 proptest! {
-    #![proptest_config(config(6000))]
+    #![proptest_config(config(cases(6_000, 6_000)))]
 
     #[test]
     fn lines_are_exact_in_either_order(from in point(), to in point()) {

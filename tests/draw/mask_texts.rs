@@ -19,7 +19,7 @@ use zrow::{
 use zrow_scenes::fonts::{DEJAVU_SANS_16, DEJAVU_SANS_24};
 
 use crate::{
-    common::{config, numbers::any_number, picture},
+    common::{cases, config, numbers::any_number, picture},
     text_area::{self, BASELINES, Recorder, below, check_metrics, cut, layout, recorded, with_bits},
 };
 
@@ -243,7 +243,7 @@ fn any_font() -> impl Strategy<Value = &'static MaskFont> {
 }
 
 proptest! {
-    #![proptest_config(config(300))]
+    #![proptest_config(config(cases(300, 300)))]
 
     #[test]
     fn any_font_is_drawn_in_any_window(

@@ -10,7 +10,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle};
 
-use crate::common::{config, painted};
+use crate::common::{cases, config, painted};
 use crate::reference::nearest_pixels::{nearest, pixels};
 
 /// Draws a moved line in a window, and by its definition.
@@ -65,7 +65,7 @@ fn point() -> impl Strategy<Value = Point> {
 }
 
 proptest! {
-    #![proptest_config(config(8_000))]
+    #![proptest_config(config(cases(8_000, 8_000)))]
 
     /// Wherever the line is looked at: at its ends and in between.
     #[test]

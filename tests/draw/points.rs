@@ -8,7 +8,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, Points, PrimitiveStyle, StrokeAlignment};
 
-use crate::common::{config, painted, picture};
+use crate::common::{cases, config, painted, picture};
 
 fn area() -> Rectangle {
     Rectangle::new(Point::new(-9, 3), Size::new(48, 40))
@@ -69,7 +69,7 @@ fn radius() -> impl Strategy<Value = u32> {
 }
 
 proptest! {
-    #![proptest_config(config(2000))]
+    #![proptest_config(config(cases(2_000, 2_000)))]
 
     #[test]
     fn points_are_their_definition(

@@ -11,7 +11,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle};
 
-use crate::common::{config, encloses, painted};
+use crate::common::{cases, config, encloses, painted};
 use crate::reference::nearest_pixels::nearest;
 
 type Vertex = (i128, i128);
@@ -99,7 +99,7 @@ fn point() -> impl Strategy<Value = Point> {
 }
 
 proptest! {
-    #![proptest_config(config(2000))]
+    #![proptest_config(config(cases(2_000, 2_000)))]
 
     #[test]
     fn polylines_are_the_union_of_their_lines(vertices in prop::collection::vec(point(), 0..6)) {

@@ -12,7 +12,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::draw::DrawOn;
 
-use crate::common::{config, picture};
+use crate::common::{cases, config, picture};
 
 /// All fonts of embedded-graphics in the character sets that have the usual sizes, and those of JIS X 0201.
 fn fonts() -> Vec<&'static MonoFont<'static>> {
@@ -163,7 +163,7 @@ fn far_texts_are_moved_texts() {
 }
 
 proptest! {
-    #![proptest_config(config(300))]
+    #![proptest_config(config(cases(300, 300)))]
 
     #[test]
     fn any_font_has_the_pixels_of_embedded_graphics(

@@ -11,7 +11,7 @@ use embedded_graphics::{
 use proptest::prelude::*;
 use zrow::draw::{DrawOn, PrimitiveStyle, ThinCircle};
 
-use crate::common::{config, painted};
+use crate::common::{cases, config, painted};
 
 /// Whether `y` is the integer nearest to the root of `r^2 - x^2`: the root is between `y - 1/2` and `y + 1/2`.
 fn is_nearest(y: i128, radius: i128, x: i128) -> bool {
@@ -104,7 +104,7 @@ fn each_pixel_is_drawn_once_and_the_fill_is_what_the_line_encloses() {
 }
 
 proptest! {
-    #![proptest_config(config(3000))]
+    #![proptest_config(config(cases(3_000, 3_000)))]
 
     #[test]
     fn circles_of_any_radius_are_exact_in_a_window(

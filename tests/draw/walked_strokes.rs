@@ -13,7 +13,7 @@ use zrow::{
 };
 
 use crate::{
-    common::{cases, config},
+    common::{cases, config, is_quick},
     contour_items::{ContourItem, Fine, STAR, contour_items, path_items},
     picture_display::{Display, in_bands},
     picture_items::{AREA, Item, Prepared, Slot, Style, replayed},
@@ -206,7 +206,7 @@ fn check_polyline(vertices: &[Point], offset: Point) {
 
 #[test]
 fn polylines_of_many_vertices() {
-    let many = cases(100, 300) as i32;
+    let many = if is_quick() { 70 } else { cases(100, 300) as i32 };
     let zigzag = |index: i32| (index % 61, index * index * 7 % 83 - 12);
     let level = |index: i32| (index * 37 % 71 - 10, 21);
     let twice = |index: i32| zigzag(index / 2 * 2);

@@ -14,7 +14,7 @@ use zrow::{
 };
 
 use crate::{
-    common::{cases, config},
+    common::{by_depth, cases, config},
     picture_display::{Display, in_bands},
     picture_items::{AREA, Prepared, Slot},
     stroke_items::stroke_items,
@@ -121,7 +121,8 @@ fn patterns_along_all_directions() {
         at(&[(20, 20), (20, 20)]),
         at(&[(20, 20), (20, 20), (31, 47), (31, 47), (20, 20)]),
     ];
-    for (path, lengths) in paths.iter().flat_map(|path| patterns().map(|lengths| (path, lengths))) {
+    let patterns = paths.iter().flat_map(|path| patterns().map(|lengths| (path, lengths)));
+    for (path, lengths) in patterns.step_by(by_depth(5, 1, 1)) {
         for (cap, join) in CAPS.into_iter().flat_map(|cap| JOINS.map(|join| (cap, join))) {
             for (width, offset) in [(3, -2.5), (8, 4.0), (1, 0.0)].into_iter().take(cases(1, 3) as usize) {
                 let style = style(width).cap(cap).join(join).dashes(&lengths);

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use zrow::{geometry::Window, scan::Lines};
 use zrow_methods::registry::{Agrees, LINES};
 
-use crate::common::{cases, config, is_deep};
+use crate::common::{by_depth, cases, config};
 use crate::reference::nearest_pixels::nearest;
 
 type Sibling = fn(Point, Point, &Window) -> Vec<Point>;
@@ -347,7 +347,7 @@ fn the_fixed_dda_drifts_from_182_steps_on() {
 #[test]
 fn the_dda_in_floats_is_exact_at_its_bound_and_for_short_lines() {
     for major in (0..=130).chain(1355..=1365) {
-        for minor in 0..=major {
+        for minor in (0..=major).step_by(by_depth(5, 1, 1)) {
             for (from, to) in octants(major, minor) {
                 assert!(
                     Lines::dda(from, to, &ALL).eq(Lines::bresenham(from, to, &ALL)),
@@ -360,7 +360,7 @@ fn the_dda_in_floats_is_exact_at_its_bound_and_for_short_lines() {
 
 #[test]
 fn slope_intercept_is_exact_but_for_ties_at_its_bound() {
-    for minor in (0..=2046).step_by(if is_deep() { 1 } else { 3 }) {
+    for minor in (0..=2046).step_by(by_depth(31, 3, 1)) {
         for (x, y) in [(2046, minor), (minor, 2046)] {
             let from = Point::new(-1023, -1023);
             same_but_for_ties(sibling!(slope_intercept), from, from + Point::new(x, y));

@@ -14,12 +14,12 @@ use zrow::{
     shade::{LinearGradient, Paint, RadialGradient, Ramp, Transformed},
 };
 
-use crate::common::config;
 use crate::common::numbers::any_number;
+use crate::common::{cases, config};
 use crate::numbered_scene::{Format, LookIn, WholeLookIn};
 
 proptest! {
-    #![proptest_config(config(20_000))]
+    #![proptest_config(config(cases(20_000, 20_000)))]
 
     /// Ends of gradients are whole pixels of the domain; a radius is one of its sizes.
     #[test]
@@ -50,7 +50,7 @@ fn first_colors(paint: &impl Paint, (x, y): (i32, i32)) -> usize {
 }
 
 proptest! {
-    #![proptest_config(config(20_000))]
+    #![proptest_config(config(cases(20_000, 20_000)))]
 
     /// Windows of any sides: sizes, and sub-pixel windows over them.
     #[test]
@@ -176,7 +176,7 @@ fn position() -> impl Strategy<Value = [i32; 3]> {
 }
 
 proptest! {
-    #![proptest_config(config(2_000))]
+    #![proptest_config(config(cases(2_000, 2_000)))]
 
     /// Vertices, poses and cameras of any numbers: the scene is the same in bands of any height, or an error says why not.
     #[test]

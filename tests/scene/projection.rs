@@ -8,7 +8,7 @@ use zrow::{
     scene::{Camera, DepthWidth, FaceSet, Memory, Model, Pose, Rotation},
 };
 
-use crate::common::config;
+use crate::common::{cases, config};
 use crate::numbered_scene::{Format, LookIn};
 
 type Matrix = [[f64; 3]; 3];
@@ -227,7 +227,7 @@ fn check_all(vertex: [i16; 3], model: Pose, camera: &Camera) {
 }
 
 proptest! {
-    #![proptest_config(config(4000))]
+    #![proptest_config(config(cases(4_000, 4_000)))]
 
     /// Every vertex, wherever model and camera are.
     #[test]

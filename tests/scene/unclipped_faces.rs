@@ -7,8 +7,8 @@ use zrow::{
     scene::{DepthWidth, Memory, Pose, Rotation},
 };
 
-use crate::common::config;
 use crate::common::meshes::{self, Mesh};
+use crate::common::{cases, config};
 use crate::numbered_scene::{Format, LookIn, Scene, WholeLookIn, area, picture};
 use crate::snapped_faces::{at, camera, standard_pose};
 
@@ -119,7 +119,7 @@ fn check<S: Format<D>, D: DepthWidth>(corners: [[i16; 3]; 3]) {
 }
 
 proptest! {
-    #![proptest_config(config(300))]
+    #![proptest_config(config(cases(300, 300)))]
 
     #[test]
     fn a_vertex_in_front_of_the_near_plane_is_an_error(

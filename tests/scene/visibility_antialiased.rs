@@ -188,7 +188,7 @@ fn the_teapot_has_the_picture_of_the_depth_row() {
 /// Faces that go through each other, or hide each other in a cycle, are split by the painter: splits are no silhouettes.
 #[test]
 fn splits_are_no_silhouettes() {
-    for frame in 0..4 {
+    for frame in 0..cases(4, 8) as u16 {
         for meshes in [
             vec![penetrating()],
             vec![cycle()],

@@ -8,6 +8,7 @@ use zrow::{
     visible::{DepthSort, DepthSortCounters},
 };
 
+use crate::common::cases;
 use crate::common::meshes::{self, Mesh};
 use crate::numbered_scene::{Scene, area};
 use crate::snapped_faces::{at, camera, standard_pose};
@@ -124,7 +125,7 @@ fn faces_that_penetrate_are_split() {
     assert!(with_parts.pixels_compared < 8 * HEIGHT, "{with_parts:?}");
     let without = counters::<16, 0>(vec![penetrating()], ahead(1400));
     assert!(without.splits == 0 && without.in_cycles >= 2, "{without:?}");
-    for frame in 0..6 {
+    for frame in 0..cases(6, 12) as u16 {
         check_formats(vec![penetrating(), cycle()], standard_pose(frame));
     }
 }
@@ -222,7 +223,7 @@ fn slivers_whose_depths_overlap_all_others() {
         })
         .collect();
     let mesh = || vec![quads(&slivers), meshes::cube(0.6)];
-    for frame in 0..4 {
+    for frame in 0..cases(4, 12) as u16 {
         check_formats(mesh(), standard_pose(frame));
     }
     let counters = counters::<64, 64>(mesh(), ahead(1500));

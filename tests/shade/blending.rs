@@ -13,7 +13,7 @@ use zrow::{
 };
 
 use crate::common::channels::Channels;
-use crate::common::config;
+use crate::common::{cases, config};
 
 const ANYWHERE: Point = Point::new(3, -5);
 
@@ -157,7 +157,7 @@ fn blended<O: Order>(row: &[u16], span: Span, color: Rgb565, alpha: u8) -> Vec<R
 }
 
 proptest! {
-    #![proptest_config(config(500))]
+    #![proptest_config(config(cases(500, 500)))]
 
     #[test]
     fn a_span_is_blended_and_nothing_beside_it(

@@ -10,7 +10,7 @@ use zrow::{
     shade::{BlendTarget, ChannelColor},
 };
 
-use crate::common::{cases, channels::Channels, is_deep};
+use crate::common::{by_depth, channels::Channels, is_deep};
 
 const ANYWHERE: Point = Point::new(3, -5);
 
@@ -90,7 +90,7 @@ fn every_mix<C: Channels, const TENTHS: u32>() {
     let row: Vec<C::Word> = below.iter().map(|color| color.to_word()).collect();
     let mut words = row.clone();
     for color in (0..=levels).map(spread::<C>) {
-        for coverage in (0..=255).step_by(cases(3, 1) as usize) {
+        for coverage in (0..=255).step_by(by_depth(17, 3, 1)) {
             words.copy_from_slice(&row);
             in_light::<C, TENTHS>(&mut words, color, coverage);
             for (&word, &below) in words.iter().zip(&below) {
@@ -147,7 +147,7 @@ fn every_mix_of_fewer_bits_is() {
 fn a_gamma_of_one_mixes_levels() {
     let levels: [u8; 256] = std::array::from_fn(|level| level as u8);
     for color in (0..=255).map(Gray8::new) {
-        for coverage in 0..=255 {
+        for coverage in (0..=255).step_by(by_depth(5, 1, 1)) {
             let (mut light, mut encoded) = (levels, levels);
             in_light::<Gray8, 10>(&mut light, color, coverage);
             let Ok(()) = row(&mut encoded).blend_span(whole(256), color, coverage);

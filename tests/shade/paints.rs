@@ -15,7 +15,7 @@ use zrow::{
     shade::{LinearGradient, Paint, Pattern, RadialGradient, Ramp},
 };
 
-use crate::common::{config, picture};
+use crate::common::{cases, config, picture};
 
 /// Level n is the colour n: a ramp that shows its levels.
 fn levels() -> Ramp<2> {
@@ -46,7 +46,7 @@ fn near_point() -> impl Strategy<Value = Point> {
 }
 
 proptest! {
-    #![proptest_config(config(4_000))]
+    #![proptest_config(config(cases(4_000, 4_000)))]
 
     #[test]
     fn a_linear_level_is_the_exact_place_rounded(from in near_point(), to in near_point(), start in any_point()) {
