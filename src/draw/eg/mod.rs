@@ -4,6 +4,7 @@ mod arc;
 pub(crate) mod areas;
 pub(crate) mod circle;
 mod ellipse;
+pub(super) mod font_glyphs;
 pub(super) mod glyph_bits;
 pub(super) mod image_bytes;
 mod line;

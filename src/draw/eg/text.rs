@@ -25,6 +25,7 @@ use crate::{
     draw::{
         DrawOn,
         eg::{
+            font_glyphs::FontGlyphs,
             glyph_bits::{COLUMNS, bits_from, pixels_from},
             image_bytes::with_bytes,
             text_lines::{Lines, lines},
@@ -145,6 +146,7 @@ impl<C: PixelColor> Lines<'_, C> {
         if has_glyphs && !rows.is_empty() {
             let mut glyphs = Glyphs {
                 lines: self,
+                places: FontGlyphs::of(self.font),
                 text: style.text_color.map(|color| target.raw(color)),
                 background: style.background_color.map(|color| target.raw(color)),
                 target,
@@ -189,6 +191,8 @@ impl<C: PixelColor> Lines<'_, C> {
 /// The glyphs of one line.
 struct Glyphs<'g, 't, C: PixelColor, T: Target> {
     lines: &'g Lines<'t, C>,
+    /// Where the glyphs lie in the font's image.
+    places: FontGlyphs<'t>,
     /// The colours of the text and of what is behind it, as the target has them.
     text: Option<T::Raw>,
     background: Option<T::Raw>,
@@ -241,7 +245,7 @@ impl<C: PixelColor, T: Target<Color = C>> Glyphs<'_, '_, C, T> {
     /// Draws the visible part of one glyph, whose first column is `x`. Draws nothing where the font's image does not
     /// have it.
     fn draw_glyph(&mut self, character: char, x: i64) -> Result<(), T::Error> {
-        let Some((column, row)) = self.lines.cell(character) else {
+        let Some((column, row)) = self.places.cell(character) else {
             return Ok(());
         };
         let mut done = 0;

@@ -1,7 +1,6 @@
-//! The lines of an embedded-graphics' `Text` in a monospaced font: where each is, and where glyphs are in the font's image.
+//! The lines of an embedded-graphics' `Text` in a monospaced font, and where each is.
 
 use embedded_graphics::{
-    geometry::OriginDimensions,
     mono_font::{MonoFont, MonoTextStyle},
     pixelcolor::PixelColor,
     text::{Alignment, Baseline, DecorationColor, LineHeight, Text},
@@ -98,14 +97,6 @@ impl<'t, C: PixelColor> Lines<'t, C> {
         (!window.is_empty()).then_some(window)
     }
 
-    /// The index of the bit for the first pixel of a character's glyph, in the font's image with its rows padded to
-    /// whole bytes. `None` where the image does not have the glyph, or the index is 2^31 or more.
-    pub(in crate::draw) fn bit_of(&self, character: char) -> Option<u32> {
-        let (column, row) = self.cell(character)?;
-        let bit = (row as u32).checked_mul(self.font.image.size().width.checked_next_multiple_of(8)?)?;
-        bit.checked_add(column as u32).filter(|bit| bit >> 31 == 0)
-    }
-
     /// Whether the window shows a row between the top of the first line and the end of the last. Cost: each byte of the
     /// text is read where the window begins below the first line.
     pub(super) fn meet(&self, window: &Window) -> bool {
@@ -131,22 +122,6 @@ impl<'t, C: PixelColor> Lines<'t, C> {
             Alignment::Right => width() - 1,
             Alignment::Center => (width() - 1) / 2,
         }
-    }
-
-    /// The column and the row of the first pixel of a character's glyph in the font's image; `None` where the glyph
-    /// does not lie in the image.
-    pub(super) fn cell(&self, character: char) -> Option<(usize, usize)> {
-        let image = self.font.image.size();
-        let size = self.font.character_size;
-        // `None` where a glyph has no columns; 0 where it is wider than the image, so that the next division gives
-        // `None`.
-        let glyphs_per_row = image.width.checked_div(size.width)?;
-        let index = self.font.glyph_mapping.index(character) as u32;
-        let line = index.checked_div(glyphs_per_row)?;
-        let column = (index - line * glyphs_per_row) * size.width;
-        let row = line.checked_mul(size.height)?;
-        let is_inside = size.height > 0 && row.checked_add(size.height)? <= image.height;
-        is_inside.then_some((column as usize, row as usize))
     }
 }
 

@@ -10,8 +10,9 @@ use crate::source::source_folder;
 const FOLDERS: [&str; 3] = ["draw/eg", "draw/shapes", "draw/antialiased"];
 
 /// The files in these folders that hold no shape, but what several shapes or styles need.
-const WITHOUT_SHAPE: [&str; 21] = [
+const WITHOUT_SHAPE: [&str; 22] = [
     "draw/eg/areas.rs",
+    "draw/eg/font_glyphs.rs",
     "draw/eg/glyph_bits.rs",
     "draw/eg/image_bytes.rs",
     "draw/eg/mod.rs",

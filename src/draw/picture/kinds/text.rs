@@ -18,6 +18,7 @@ use crate::{
     draw::{
         DrawOn,
         eg::{
+            font_glyphs::FontGlyphs,
             glyph_bits::{COLUMNS, bits_from, pixels_from},
             image_bytes::with_bytes,
             text_lines::Lines,
@@ -50,8 +51,9 @@ impl<'a, C: BandColor, O: Order> Prepare<'a, C, O> for Text<'_, MonoTextStyle<'a
         let (extent, word) = match (glyph_box(&lines, self), style.text_color) {
             (Some(extent), Some(color)) => {
                 payload.push(AS_GLYPHS);
+                let glyphs = FontGlyphs::of(style.font);
                 for character in self.text.chars() {
-                    payload.push(lines.bit_of(character).unwrap_or(NO_GLYPH));
+                    payload.push(glyphs.bit_of(character).unwrap_or(NO_GLYPH));
                 }
                 (extent, Band::<C, O>::word(color))
             }
