@@ -249,7 +249,7 @@ fn the_first_of_equally_near_faces_is_seen_by_all_methods() {
         ],
         vec![[0, 4, 5], [0, 1, 2], [0, 2, 3], [1, 4, 3]],
     );
-    for frame in 0..cases(4, 12) as u16 {
+    for frame in 0..cases(4, 4) as u16 {
         let meshes = vec![
             back_to_back.clone().two_sided(),
             meshes::cube(0.4),

@@ -1,4 +1,4 @@
-//! Where the glyphs of a monospaced font lie in its image.
+//! The places of a monospaced font's glyphs in the one image that holds them all, by character.
 //!
 //! A font maps characters to glyphs by embedded-graphics' `GlyphMapping`. Those of its own fonts go through all characters before
 //! the wanted one: some 400 instructions for a letter. The mappings of ASCII and of Latin-1, which most programs use, are
@@ -14,14 +14,14 @@ use embedded_graphics::{
     },
 };
 
-/// Which glyph a character has.
+/// The characters that a font is known to have, and so the numbers of their glyphs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Mapping {
-    /// That of embedded-graphics' mapping of ASCII.
+    /// The font's mapping is embedded-graphics' `mapping::ASCII`.
     Ascii,
-    /// That of embedded-graphics' mapping of Latin-1, ISO 8859-1.
+    /// The font's mapping is embedded-graphics' `mapping::ISO_8859_1`, which is Latin-1.
     Latin1,
-    /// The font's mapping is asked.
+    /// The font has another mapping, or one that was not recognized: it is asked for each character.
     Other,
 }
 
@@ -35,7 +35,7 @@ impl Mapping {
     }
 }
 
-/// The glyphs of a font's image.
+/// A monospaced font whose glyphs are looked up, one character after another.
 pub(in crate::draw) struct FontGlyphs<'f> {
     font: &'f MonoFont<'f>,
     /// Glyphs in a row of the image; 0 where a glyph has no columns, or is wider than the image.
@@ -44,7 +44,7 @@ pub(in crate::draw) struct FontGlyphs<'f> {
 }
 
 impl<'f> FontGlyphs<'f> {
-    /// Cost: a division.
+    /// Looks once for what all glyphs of a font share: its mapping, and the glyphs in a row of its image. Cost: a division.
     pub(in crate::draw) fn of(font: &'f MonoFont<'f>) -> Self {
         let size = font.character_size;
         Self {
@@ -89,7 +89,7 @@ impl<'f> FontGlyphs<'f> {
 
 #[cfg(test)]
 mod tests {
-    use embedded_graphics::mono_font::ascii::FONT_6X10;
+    use embedded_graphics::mono_font::{ascii::FONT_6X10, mapping};
 
     use super::*;
 
@@ -115,5 +115,14 @@ mod tests {
         };
         let glyphs = FontGlyphs::of(&font);
         assert_eq!((glyphs.mapping, glyphs.index('A')), (Mapping::Other, 0x3e));
+        for mapping in mapping::Mapping::iter() {
+            let of_glyphs = Mapping::of(mapping.glyph_mapping());
+            let is_right = match mapping {
+                mapping::Mapping::Ascii => of_glyphs != Mapping::Latin1,
+                mapping::Mapping::Iso8859_1 => of_glyphs != Mapping::Ascii,
+                _ => of_glyphs == Mapping::Other,
+            };
+            assert!(is_right, "{mapping:?} is taken for {of_glyphs:?}");
+        }
     }
 }

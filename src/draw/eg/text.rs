@@ -191,7 +191,7 @@ impl<C: PixelColor> Lines<'_, C> {
 /// The glyphs of one line.
 struct Glyphs<'g, 't, C: PixelColor, T: Target> {
     lines: &'g Lines<'t, C>,
-    /// Where the glyphs lie in the font's image.
+    /// The places of the glyphs in the font's image.
     places: FontGlyphs<'t>,
     /// The colours of the text and of what is behind it, as the target has them.
     text: Option<T::Raw>,

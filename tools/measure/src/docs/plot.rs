@@ -119,7 +119,8 @@ fn captions(area: &Area<'_>) -> anyhow::Result<()> {
     let cycles = "estimated cycles (logarithmic)";
     area.draw(&Text::new(cycles, (14, (TOP + BOTTOM) / 2), turned))?;
     for (name, color, x) in [("replayed", REPLAYED, RIGHT - 220), ("prepared", PREPARED, RIGHT - 100)] {
-        let y = TOP + 14;
+        // Above all lines of the plot.
+        let y = TOP - 10;
         area.draw(&PathElement::new([(x, y), (x + 24, y)], color.stroke_width(3)))?;
         label(area, name, (x + 32, y), 15, color, (HPos::Left, VPos::Center))?;
     }
