@@ -148,6 +148,27 @@ proptest! {
         }
     }
 
+    /// In the middle of such lines a product of the smaller delta and the steps that were taken reaches 2^63, or another power of 2.
+    #[test]
+    fn windows_along_the_longest_lines_show_the_nearest_pixels([x0, y0, x1, y1] in any::<[i32; 4]>(), step in any::<u32>(), power in 58..64u32, (left, top) in (0..7i32, 0..5i32)) {
+        let (from, to) = (Point::new(x0, y0), Point::new(x1, y1));
+        let (dx, dy) = (i128::from(x1) - i128::from(x0), i128::from(y1) - i128::from(y0));
+        let major = dx.abs().max(dy.abs()).max(1);
+        let steps_to_power = (1 << power) / dx.abs().min(dy.abs()).max(1);
+        for steps in [i128::from(step), steps_to_power, steps_to_power / 2].map(|steps| steps.min(major)) {
+            let (x, y) = (i128::from(x0) + dx * steps / major, i128::from(y0) + dy * steps / major);
+            let window = window_of((x as i32).saturating_sub(left), (y as i32).saturating_sub(top), 7, 5);
+            let expected: Vec<Point> = points_of(&window).filter(|&pixel| is_exact(from, to, pixel)).collect();
+            for (name, line) in exact_siblings() {
+                prop_assert_eq!(sorted(line(from, to, &window)), expected.clone(), "{}", name);
+            }
+            check_supercover(from, to, window);
+            for (name, line) in all_siblings() {
+                prop_assert!(line(from, to, &window).iter().all(|&pixel| window.contains(pixel)), "{}", name);
+            }
+        }
+    }
+
     #[test]
     fn clipped_is_unclipped_within_the_window(from in point(), to in point(), part in any_window()) {
         // A part of a window shows what the window shows there: for lines of any length.
@@ -398,6 +419,17 @@ fn a_diagonal_touches_the_cells_beside_its_corners() {
     let cells: Vec<Point> = Lines::supercover(Point::zero(), Point::new(2, 2), &ALL).collect();
     let expected = [(0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 1), (2, 2)];
     assert_eq!(cells, expected.map(|(x, y)| Point::new(x, y)));
+}
+
+#[test]
+fn the_midpoint_line_goes_through_2_to_the_63() {
+    let (from, to) = (
+        Point::new(-1_146_393_543, -2_055_186_059),
+        Point::new(611_149_651, 1_545_958_589),
+    );
+    let window = window_of(134_223_166, 568_752_876, 5, 3);
+    let expected = sibling!(bresenham)(from, to, &window);
+    assert_eq!((expected.len(), sibling!(midpoint)(from, to, &window)), (3, expected));
 }
 
 #[test]

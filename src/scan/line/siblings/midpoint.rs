@@ -55,19 +55,19 @@ fn line(from: Point, to: Point, window: &Window) -> Option<MidpointPoints> {
 /// Twice the implicit function at the midpoint after the first visible pixel: one step ahead along the major axis, half
 /// a pixel along the minor one.
 fn at_midpoint(line: &OrderedLine, visible: &VisibleSteps) -> i64 {
-    // The value lies between -2^33 and 2^33 while the products do not fit: what is lost above 2^64 cancels.
+    // The difference lies between -2^33 and 2^33, while the products need not fit 64 bits: it is taken modulo 2^64.
     let (major, minor) = (i64::from(line.major_delta), i64::from(line.minor_delta));
     let ahead = minor.wrapping_mul(2 * (i64::from(visible.first) + 1));
     let aside = major.wrapping_mul(2 * i64::from(visible.minor_offset) + 1);
-    // On a tie the function is 0, which steps along the minor axis: where it shall not, every value is one less.
-    ahead - aside - i64::from(line.tie_stays())
+    // A tie gives 0, which steps along the minor axis too: where it stays, 1 less makes that negative.
+    ahead.wrapping_sub(aside) - i64::from(line.tie_stays())
 }
 
 /// The pixels of the midpoint line, from top to bottom.
 #[derive(Debug, Clone, Default)]
 struct MidpointPoints {
     walk: LineWalk,
-    /// At least 0 where the line passes the midpoint on its far side, or through it.
+    /// Twice the implicit function at the next midpoint, less 1 where ties stay: from 0 on a step goes along the minor axis, too.
     decision: i64,
     /// What a step along the major axis alone adds to the decision variable.
     straight: i64,
