@@ -1,4 +1,5 @@
-//! Outcodes (Cohen and Sutherland 1967): on which sides of a window a point lies.
+//! Outcodes (Cohen and Sutherland 1967): the sides of a window that a point is beyond, one bit each, so that AND rejects and OR
+//! accepts a segment.
 
 use embedded_graphics::geometry::Point;
 
@@ -12,16 +13,16 @@ pub struct Outcode(u8);
 impl Outcode {
     /// Inside the window.
     pub const INSIDE: Self = Self(0);
-    /// Outside the left side.
+    /// Beyond the left side.
     pub const LEFT: Self = Self(1);
-    /// Outside the right side.
+    /// Beyond the right side.
     pub const RIGHT: Self = Self(2);
-    /// Above the window.
+    /// Beyond the upper side.
     pub const ABOVE: Self = Self(4);
-    /// Below the window.
+    /// Beyond the lower side.
     pub const BELOW: Self = Self(8);
 
-    /// The outcode of a pixel against a window that is not empty.
+    /// The outcode of a pixel against a window that is not empty; its column `right` and its row `bottom` are outside.
     pub fn of(point: Point, window: &Window) -> Self {
         Self(
             u8::from(point.x < window.left)
@@ -59,7 +60,7 @@ impl Outcode {
         Self(self.0 | other.0)
     }
 
-    /// Whether the point is beyond one of the sides of `other`.
+    /// Whether both have a side in common.
     pub const fn meets(self, other: Self) -> bool {
         self.0 & other.0 != 0
     }

@@ -1,4 +1,4 @@
-//! A face set with colours, somewhere in the world.
+//! A model: a mesh, the skin that its shading takes, such as colours, normals or a texture, and its pose in the world.
 
 use core::fmt;
 
@@ -6,8 +6,8 @@ use crate::{geometry::TooSmall, mesh::FaceSet, shade::Shading, surface::BandColo
 
 /// A face set, what its [`Shading`] takes, such as a colour for each face, and where it is.
 ///
-/// `H` is the [`Shading`] of the scene's look; a colour, such as `Rgb565`, where each face has one. A model is turned and moved
-/// by its pose; one that is stretched or mirrored as well has a [`Transformed`](crate::shade::Transformed) shading.
+/// `H` is the [`Shading`] of the scene's look; a colour, such as `Rgb565`, stands for one flat colour for each face. A pose
+/// rotates and translates a model; one that is scaled or mirrored as well has a [`Transformed`](crate::shade::Transformed) shading.
 ///
 /// Two models of one mesh, which lies in flash once:
 ///
@@ -32,14 +32,16 @@ use crate::{geometry::TooSmall, mesh::FaceSet, shade::Shading, surface::BandColo
 /// # Ok::<(), zrow::geometry::InputError>(())
 /// ```
 pub struct Model<'a, H: Shading> {
+    /// The vertices and faces.
     mesh: FaceSet<'a>,
+    /// What the shading takes beside the mesh, such as colours, normals or a texture.
     skin: H::Skin<'a>,
     /// The model's position and rotation in the world.
     pub pose: Pose,
 }
 
 impl<'a, C: BandColor> Model<'a, C> {
-    /// A model at the origin, not turned. Colours beyond the number of faces are not used.
+    /// A model at the origin, not rotated. Colours beyond the number of faces are not used.
     ///
     /// # Errors
     /// [`TooSmall`] with the number of faces, where there are fewer colours.
@@ -62,10 +64,10 @@ impl<'a, C: BandColor> Model<'a, C> {
 }
 
 impl<'a, H: Shading> Model<'a, H> {
-    /// A model at the origin, not turned, with what its shading takes beside the mesh.
+    /// A model at the origin, not rotated, with what its shading takes beside the mesh.
     ///
     /// # Errors
-    /// [`TooSmall`] where the skin has less than the mesh needs.
+    /// [`TooSmall`] where the skin has less than the mesh needs, with the number that it needs.
     pub fn with_skin(mesh: FaceSet<'a>, skin: H::Skin<'a>) -> Result<Self, TooSmall> {
         H::check(&skin, &mesh)?;
         Ok(Self {
@@ -86,20 +88,21 @@ impl<'a, H: Shading> Model<'a, H> {
         &self.mesh
     }
 
-    /// What its shading takes beside the mesh.
+    /// The skin: what the model's shading takes beside the mesh, such as colours, normals or a texture.
     pub const fn skin(&self) -> &H::Skin<'a> {
         &self.skin
     }
 }
 
 impl<H: Shading> Model<'_, H> {
-    /// Whether a map mirrors the model.
+    /// Whether the affine map of its shading mirrors the model.
     #[inline]
     pub(super) fn is_mirrored(&self) -> bool {
         is_mirrored::<H>(&self.skin)
     }
 }
 
+/// Whether the affine map of a skin mirrors its model.
 #[inline]
 fn is_mirrored<H: Shading>(skin: &H::Skin<'_>) -> bool {
     H::HAS_AFFINE_MAP && H::affine(skin).is_mirrored()

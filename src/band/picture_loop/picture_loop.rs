@@ -18,8 +18,8 @@ use crate::{
 /// Draws a picture band by band: fill with the background, draw the scene, send, next band.
 ///
 /// The scene is a closure that is called once for every band and draws into it whatever it likes; what falls outside
-/// the band is clipped. It returns nothing, or a `Result` whose error ends the loop. The last band is shorter where the rows do
-/// not divide.
+/// the band is clipped. It returns nothing, or a `Result` whose error ends the loop. The last band is shorter where
+/// the area's height is no multiple of a band's.
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*, primitives::*};
@@ -48,7 +48,7 @@ pub struct PictureLoop<C, O = LittleEndian> {
 }
 
 impl<C: BandColor> PictureLoop<C> {
-    /// A loop over bands of one row, in the machine's byte order. Every band starts in the background colour.
+    /// A loop over bands of one row, in little-endian order, that of most machines. Every band starts in the background colour.
     pub fn new(area: Rectangle, background: C) -> Self {
         Self {
             order: PhantomData,
@@ -93,8 +93,8 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
 
     /// For panels that take only windows on a grid (even columns, pages of 8 rows): the area grows outwards to whole
     /// multiples of `x` columns and `y` rows, and the rows of a band are rounded up to a multiple of `y`, whether
-    /// [`rows`](Self::rows) is called before or after. An `x` or `y` of 0 counts as 1. An area that would grow beyond the number range of a
-    /// `Point` ends with it; if that is its first row, multiples count from there.
+    /// [`rows`](Self::rows) is called before or after. An `x` or `y` of 0 counts as 1. An area
+    /// that would grow beyond the number range of a `Point` is cut there; where its first row is, multiples count from that row.
     #[must_use]
     pub fn aligned(self, x: u32, y: u32) -> Self {
         let y = y.max(1);
@@ -105,12 +105,12 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         }
     }
 
-    /// Words that a buffer must have for this loop.
+    /// Words that a buffer must have for this loop: one for each pixel of its largest band.
     pub fn words_needed(&self) -> usize {
         words_needed(&self.band_at(self.window.top))
     }
 
-    /// The areas of the bands, top to bottom. The last one has fewer rows where they do not divide.
+    /// The areas of the bands, top to bottom. The last one has fewer rows where the area's height is no multiple of a band's.
     pub fn bands(&self) -> impl Iterator<Item = Rectangle> + use<C, O> {
         self.windows().map(|window| window.to_rectangle())
     }
@@ -150,8 +150,9 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
     /// `|band: &mut Band<'_, Rgb565, BigEndian>| ..` where [`in_order`](Self::in_order) has changed the order of bytes.
     ///
     /// # Errors
-    /// [`LoopError::TooSmall`] before anything is drawn; [`LoopError::Sink`] and [`LoopError::Scene`] with the error of
-    /// the sink or the scene, after which nothing more is drawn or sent. The next call draws a whole picture again.
+    /// [`LoopError::TooSmall`] where `buffer` has fewer than [`words_needed`](Self::words_needed): nothing is drawn then.
+    /// [`LoopError::Sink`] and [`LoopError::Scene`] with the error of the sink or the scene, after which nothing more is drawn or
+    /// sent. The next call draws a whole picture again.
     pub fn draw<S, F, R>(
         &self,
         buffer: &mut [C::Word],
@@ -173,7 +174,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
             let rows = if remaining < rows {
                 // The last band.
                 words = words.get_mut(..stride * remaining as usize).unwrap_or_default();
-                // Keeps this a branch: the compiler would choose between both in every band.
+                // Keeps this a branch: the compiler would select one of two slices in every band.
                 black_box(());
                 remaining
             } else {
@@ -196,7 +197,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
         Ok(())
     }
 
-    /// Whether a buffer has room for a band, else an error that says how many words are needed.
+    /// Whether a buffer has room for the largest band, else an error that says how many words are needed.
     pub(crate) fn check(&self, buffer: &[C::Word]) -> Result<(), TooSmall> {
         let needed = self.words_needed();
         if buffer.len() < needed {
@@ -207,6 +208,9 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
     }
 
     /// Fills the band of a window with the background and draws the scene into it. The buffer may be longer than the band.
+    ///
+    /// # Errors
+    /// [`BandError::TooSmall`] for a buffer that is shorter, [`BandError::Scene`] with the scene's error.
     pub(crate) fn draw_band<'b, R: SceneResult>(
         &self,
         window: Window,
@@ -221,9 +225,10 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
 }
 
 #[cfg(feature = "defmt")]
-impl<C, O> defmt::Format for PictureLoop<C, O> {
+impl<C: BandColor, O: Order> defmt::Format for PictureLoop<C, O> {
     fn format(&self, formatter: defmt::Formatter<'_>) {
-        defmt::write!(formatter, "PictureLoop {} by {} rows", self.window, self.rows);
+        let first = self.band_at(self.window.top);
+        defmt::write!(formatter, "PictureLoop {} by {} rows", self.window, first.height());
     }
 }
 
@@ -232,6 +237,7 @@ impl<C, O> defmt::Format for PictureLoop<C, O> {
 pub(crate) enum BandError<X> {
     /// The number of words that the band needs.
     TooSmall(usize),
+    /// The error of the scene.
     Scene(X),
 }
 
@@ -249,10 +255,10 @@ pub trait SceneResult {
     /// The scene's error, which [`LoopError::Scene`] carries; `Infallible` for a scene that returns `()`.
     type Error;
 
-    /// The scene's error, if it has one.
+    /// This value as a `Result`; `Ok` for `()`.
     ///
     /// # Errors
-    /// The scene's own.
+    /// The error that the scene returned.
     fn into_result(self) -> Result<(), Self::Error>;
 }
 

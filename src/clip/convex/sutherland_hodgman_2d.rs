@@ -8,7 +8,7 @@
 //! Guarantees: what is inside is decided exactly; every corner of the result is a corner of the polygon, one of the window,
 //! or an exact crossing rounded once to the nearest unit (ties to the larger coordinate), which may lie outside an
 //! oblique side by half a unit in x and in y. No corner is repeated right behind itself. The order of the polygon's corners
-//! stays, clockwise or not; which of them comes first does where nothing is cut off. Clipping the result again changes
+//! stays, clockwise or not, and so does its first corner where nothing is cut off. Clipping the result again changes
 //! nothing where the window is upright; an oblique side may cut what was rounded outwards.
 //!
 //! The area is that of the exact result but for this rounding, which moves it by `length / 2 + corners / 4` square units
@@ -20,7 +20,7 @@
 //! that lie on each other and enclose nothing. Fills do not show them, outlines do. A concave polygon that only reaches
 //! around the window may leave nothing but a bridge.
 //!
-//! Cost: the polygon's corners against the window's bounds and sides, four products each, for trivial accept and reject.
+//! Cost: two products for each corner of the polygon and each side of the window, for trivial accept and reject.
 //! Then each edge goes through the sides that cut the polygon, with eight products and two long ones for a corner that a
 //! cut made, and each crossing that is left costs a long division an axis. Take it when the window is convex, as a display
 //! or a panel in perspective is; a concave one needs a boolean operation.
@@ -38,7 +38,7 @@ impl<S: SubPixel> ConvexWindow<'_, S> {
     /// The part of a polygon inside this closed window; without corners where nothing is left of it.
     ///
     /// Takes any numbers the coordinates can hold, also outside the domain of `S`, and polygons that cross themselves.
-    /// RAM on a 32-bit machine: `CORNERS` points of 4 or 8 bytes in the result, and some 50 bytes for each of `SIDES`
+    /// RAM on a 32-bit machine: `CORNERS` points of 4 or 8 bytes in the result, and 40 bytes for each of `SIDES`
     /// while it is made. [`clip`](crate::clip) says when to take it.
     /// Source: Sutherland and Hodgman 1974.
     ///
@@ -77,7 +77,7 @@ impl<S: SubPixel> ConvexWindow<'_, S> {
     }
 }
 
-/// Whether outcodes against the window's bounds leave something of it.
+/// Whether the corners of a polygon are not all beyond one side of the window's bounds; `false` for one without corners.
 fn is_visible<S: SubPixel>(polygon: &[SubPoint<S>], window: &ConvexWindow<'_, S>) -> bool {
     let codes = polygon
         .iter()
@@ -85,9 +85,12 @@ fn is_visible<S: SubPixel>(polygon: &[SubPoint<S>], window: &ConvexWindow<'_, S>
     codes.reduce(Outcode::shared).is_some_and(Outcode::is_inside)
 }
 
-/// A stage for each side that has a corner of the polygon beyond it; `false` where one has all of them.
+/// Adds a stage for each side that has a corner of the polygon beyond it; `false` where all corners are beyond one side.
 ///
-/// Any other side cuts nothing off: whatever is made of a polygon lies between its corners.
+/// Any other side cuts nothing off: what is left of a polygon lies in the convex hull of its corners.
+///
+/// # Errors
+/// [`TooSmall::WindowSides`] with the number of such sides, where there are fewer stages.
 fn set_up<S: SubPixel>(
     polygon: &[SubPoint<S>],
     window: &ConvexWindow<'_, S>,
@@ -120,11 +123,13 @@ enum EdgeLine {
 
 /// A corner, by the two lines that meet in it.
 enum CutVertex {
+    /// That corner of the polygon.
     OfPolygon(usize),
+    /// That corner of the window.
     OfWindow(usize),
-    /// Where an edge of the polygon crosses a side.
+    /// The crossing of an edge of the polygon, by its number, with a side of the window, by its number.
     Crossing(usize, usize),
-    /// Where the first side's line meets one that is not its neighbour: outside the window.
+    /// The point outside the window where the lines of two sides meet that are no neighbours.
     Beyond,
 }
 
@@ -135,6 +140,7 @@ struct Lines<'a, S: SubPixel> {
 }
 
 impl<S: SubPixel> Lines<'_, S> {
+    /// The corner where the edge on one line ends and the edge on another line begins.
     fn corner(&self, before: EdgeLine, after: EdgeLine) -> CutVertex {
         match (before, after) {
             (EdgeLine::Polygon(_), EdgeLine::Polygon(corner)) => CutVertex::OfPolygon(corner),
@@ -161,7 +167,7 @@ impl<S: SubPixel> Lines<'_, S> {
         Some((*start, *end))
     }
 
-    /// An edge that crosses a side, and where.
+    /// The ends of an edge, and how far along it crosses the line of a side; `None` for numbers that are none.
     fn crossing(&self, edge: usize, side: usize) -> Option<(SubPoint<S>, SubPoint<S>, Fraction)> {
         let (from, to) = self.edge(edge)?;
         let side = self.window.side(side)?;
@@ -196,15 +202,17 @@ impl<S: SubPixel> Lines<'_, S> {
     }
 }
 
-/// One side of the window at work.
+/// One side of the window, and what it remembers of the edges that came.
 struct Stage {
     number: usize,
     side: SideLine,
-    /// The first edge that came, and whether its end is kept.
+    /// The first edge that came.
     first: Option<EdgeLine>,
+    /// Whether the end of the first edge is inside this side.
     first_end_is_kept: bool,
-    /// The last edge that came, and whether its start is kept; that of the first edge is not known until the end.
+    /// The last edge that came.
     last: EdgeLine,
+    /// Whether the start of the last edge is inside this side; `None` for the first edge, of which that is not known until the end.
     last_start_is_kept: Option<bool>,
     /// Whether an edge left the window here, so that one along the side comes next.
     owes_side: bool,
@@ -253,7 +261,7 @@ impl Stage {
         self.hand_on(self.last_start_is_kept?, self.first_end_is_kept)
     }
 
-    /// The last edge, where something of it is kept.
+    /// Gives the last edge where something of it is kept, and notes whether a part of the side follows it.
     fn hand_on(&mut self, start_is_kept: bool, end_is_kept: bool) -> Option<EdgeLine> {
         self.owes_side = start_is_kept && !end_is_kept;
         (start_is_kept || end_is_kept).then_some(self.last)
@@ -269,7 +277,7 @@ struct Pipeline<'a, S: SubPixel> {
 
 impl<S: SubPixel> Pipeline<'_, S> {
     fn run(&mut self) {
-        // The first corner ends the last edge: a polygon that nothing is cut from keeps it.
+        // Begins with the last edge, so that corner 0 is the first of the result where nothing is cut off.
         let last = self.lines.polygon.len().saturating_sub(1);
         for edge in iter::once(last).chain(0..last) {
             self.carry(0, Some(EdgeLine::Polygon(edge)));
@@ -314,10 +322,15 @@ impl<S: SubPixel> Pipeline<'_, S> {
 /// The end of the row: corners of the result, as many as there is room for, and the count of all.
 struct Corners<'a, S: SubPixel> {
     corners: &'a mut VecView<SubPoint<S>>,
+    /// The number of corners, those included for which there is no room.
     count: usize,
+    /// The first corner.
     first: Option<SubPoint<S>>,
+    /// The last corner so far.
     last: Option<SubPoint<S>>,
+    /// The first edge that came.
     first_line: Option<EdgeLine>,
+    /// The last edge that came.
     last_line: Option<EdgeLine>,
 }
 
@@ -357,6 +370,9 @@ impl<'a, S: SubPixel> Corners<'a, S> {
     }
 
     /// Leaves a last corner that repeats the first one out, and what has too few corners to be a polygon.
+    ///
+    /// # Errors
+    /// [`TooSmall::Corners`] with the number of corners, where there is room for fewer.
     fn close(self) -> Result<(), TooSmall> {
         let mut count = self.count;
         if self.last == self.first {

@@ -4,12 +4,13 @@
 //! Guarantees: accepts exactly the segments that share a point with the closed window, touching a corner included; each
 //! end is the exact point rounded once to the nearest unit (ties to the larger coordinate), so at most half a unit off,
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
-//! result again changes nothing. [`Segments::cohen_sutherland`](crate::clip::Segments::cohen_sutherland) gives the same integers.
+//! result again changes nothing. [`Segments::cohen_sutherland`](crate::clip::Segments::cohen_sutherland) gives the same
+//! integers.
 //!
 //! The default: outcodes accept and reject what they can, and say of the rest which sides are crossed and in which
 //! direction. Parameters are compared as fractions, by multiplying across, so a rejected segment costs no division and an
 //! accepted one divides once for each end that is cut. That counts on a core without a divider. For a mix of segments
-//! inside, across and outside it takes the fewest instructions of its siblings, on a Cortex-M4 and on a Cortex-M0+.
+//! inside, across and outside it takes fewer instructions than any of its siblings, on a Cortex-M4 and on a Cortex-M0+.
 
 use core::num::NonZeroU32;
 
@@ -25,7 +26,8 @@ use crate::{
 };
 
 impl Segments {
-    /// The part of a segment inside a closed window, by how far along it enters and leaves: the default; `None` where no point of it is.
+    /// The part of a segment inside a closed window, by how far along it enters and leaves: the default. `None` where no point
+    /// of it is inside.
     ///
     /// Each end is the exact point rounded once to the nearest unit, ties to the larger coordinate.
     ///
@@ -74,7 +76,7 @@ fn cut<S: SubPixel>(
     };
     let (exit_x, exit_y) = (x.exit(to_code), y.exit(to_code));
     let entry = Cut::of(x.entry(from_code), y.entry(from_code), |x, y| !x.is_before::<S>(y));
-    // On the axis of the entry the exit is not before it.
+    // On the axis of the entry the exit never comes first: the other axis alone is compared.
     let passes = match &entry {
         Some(Cut::X(entry)) => exit_y.is_some_and(|exit| exit.is_before::<S>(entry)),
         Some(Cut::Y(entry)) => exit_x.is_some_and(|exit| exit.is_before::<S>(entry)),
@@ -101,7 +103,8 @@ enum Cut {
 }
 
 impl Cut {
-    /// The one of two crossings that decides; `takes_x` says whether that is the first of both, with an upright side.
+    /// The one that decides of the crossings with an upright side (`x`) and with a level one (`y`); where there are both,
+    /// `takes_x` says whether it is the first of them.
     fn of(
         x: Option<Fraction>,
         y: Option<Fraction>,
@@ -120,12 +123,15 @@ impl Cut {
 struct Axis {
     from: i32,
     to: i32,
+    /// The side with the smaller coordinate: the outcode of what is outside of it, and the coordinate in units.
     before: (Outcode, i32),
+    /// The side with the larger coordinate: the outcode of what is outside of it, and the coordinate in units.
     beyond: (Outcode, i32),
 }
 
 impl Axis {
-    /// Where the segment enters. Its other end is not beyond the same side, so that its direction is known.
+    /// The fraction of the segment after which it enters the window along this axis, by the outcode of its start; `None` where
+    /// that is not outside here. The end is not beyond the same side, so that the direction is known.
     fn entry(&self, code: Outcode) -> Option<Fraction> {
         if code.meets(self.before.0) {
             Some(self.upwards(self.before.1))
@@ -136,7 +142,8 @@ impl Axis {
         }
     }
 
-    /// The fraction of the segment after which it leaves the window along this axis; `None` where it does not.
+    /// The fraction of the segment after which it leaves the window along this axis, by the outcode of its end; `None` where
+    /// that is not outside here.
     fn exit(&self, code: Outcode) -> Option<Fraction> {
         if code.meets(self.before.0) {
             Some(self.downwards(self.before.1))
@@ -147,7 +154,7 @@ impl Axis {
         }
     }
 
-    /// Where a segment to larger coordinates has one of them. Distances between 32-bit coordinates fit `u32`.
+    /// How far along it a segment that runs to larger coordinates crosses a side. Distances between 32-bit coordinates fit `u32`.
     fn upwards(&self, side: i32) -> Fraction {
         Fraction {
             side,
@@ -156,7 +163,7 @@ impl Axis {
         }
     }
 
-    /// Where a segment to smaller coordinates has one of them.
+    /// How far along it a segment that runs to smaller coordinates crosses a side.
     fn downwards(&self, side: i32) -> Fraction {
         Fraction {
             side,
@@ -170,7 +177,7 @@ impl Axis {
         let falls = self.to < self.from;
         // Not 0: the side lies between the ends.
         let length = NonZeroU32::new(cut.length).unwrap_or(NonZeroU32::MIN);
-        // Downwards exactly a half is not one unit more.
+        // Ties go to the larger coordinate: a segment to smaller ones takes a step less there.
         let half = (length.get() - u32::from(falls)) >> 1;
         let steps = scaled::<S>(cut.distance, self.from.abs_diff(self.to), half, length);
         if falls {
@@ -184,12 +191,14 @@ impl Axis {
 /// Where a segment crosses the line through a side: `distance / length` of the way, at most 1.
 #[derive(Copy, Clone)]
 struct Fraction {
+    /// The coordinate of the side, in units.
     side: i32,
     distance: u32,
     length: u32,
 }
 
 impl Fraction {
+    /// Whether this crossing comes before another one, exactly.
     fn is_before<S: SubPixel>(&self, other: &Self) -> bool {
         if products_fit_32_bits::<S>() {
             self.distance * other.length < other.distance * self.length

@@ -1,18 +1,18 @@
-//! The textbook's way from a model to the screen: one 4x4 matrix, homogeneous coordinates, a division at last.
+//! The textbook's viewing pipeline from a model to the screen: one 4x4 matrix, homogeneous coordinates, a division at the end.
 //!
 //! The matrix is the product P V M of projection, view and model (Roberts 1965, "Homogeneous Matrix Representation and
 //! Manipulation of N-Dimensional Constructs"; Foley, van Dam, Feiner and Hughes 1990, chapter 6). It takes a vertex (x, y,
 //! z, 1) to clip coordinates (x, y, z, w), in which the visible part of space is -w <= x <= w, -w <= y <= w, 0 <= z <= w:
 //!
 //! ```text
-//!          2f/W   0    0      0           w is the distance from the eye along the direction of sight,
-//!     P =    0   2f/H  0      0           f the focal length, W and H the viewport in pixels,
-//!            0    0    k  -k near         k = far / (far - near)
-//!            0    0    1      0
+//!          2f/W   0    2u/W    0          w is the distance from the eye along the viewing direction,
+//!     P =    0   2f/H -2v/H    0          f the focal length, W and H the viewport in pixels, (u, v) the way from its
+//!            0    0     k   -k near       middle right and down to the camera's centre, k = far / (far - near)
+//!            0    0     1      0
 //! ```
 //!
-//! Scenes do not take this path: they turn vertices by three rows instead of four, and divide by the distance itself. This is
-//! its sibling to compare with, and what the clippers in homogeneous space take.
+//! Scenes do not take this path: they rotate vertices by three rows instead of four, and divide by the distance itself. This
+//! matrix is there to compare with, and the clippers in homogeneous space take it.
 //!
 //! Guarantees: no number wraps, for any camera and any pose. Clip coordinates are the exact products of the vertices and the
 //! matrix as it is stored: nothing is rounded after the matrix, until a point is cut or put on the screen.
@@ -34,10 +34,10 @@ use crate::{
 /// The 4x4 matrix that takes the vertices of a model to clip coordinates, where the visible part of space is -w <= x <= w,
 /// -w <= y <= w and 0 <= z <= w.
 ///
-/// Numbers: 64-bit integers with a common number of fractional bits. It is 40, and fewer by the whole bits above 2 of 2f/W,
-/// 2f/H and twice the way from the viewport's middle to its centre over W and H, where f is the focal length and W and H are
-/// the size of the viewport: homogeneous coordinates mean the same at any scale. Elements are within four units of those of the
-/// exact product; they stay below 2^42, those of the translation below 2^59.
+/// Numbers: 64-bit integers with a common number of fractional bits: 40, or as many fewer as it takes to halve the largest of
+/// 2f/W, 2f/H, 2u/W and 2v/H until it is below 2. There f is the focal length, W and H are the size of the viewport, and (u, v) is
+/// the way from its middle to the camera's centre; homogeneous coordinates mean the same at any scale. Elements are within four
+/// units of those of the exact product; they stay below 2^42, those of the translation below 2^59.
 ///
 /// RAM: 128 bytes.
 ///
@@ -64,14 +64,16 @@ pub struct ClipMatrix {
 }
 
 impl ClipMatrix {
-    /// The matrix of a camera and of a model in a pose: P V M. What is further away than `far` lies outside of the volume.
+    /// The matrix of a camera and of a model in a pose: P V M. `far` is the distance from the eye to the far plane, in units;
+    /// what is further away lies outside of the volume.
     ///
-    /// With [`Pose::IDENTITY`] for both it is the projection alone, and vertices are points of eye space.
+    /// With [`Pose::IDENTITY`] for the camera's pose and the model's it is the projection alone, and vertices are points of eye
+    /// space.
     ///
-    /// Cost: three divisions of 64 bits, and some 90 multiplications. Source: Roberts 1965.
+    /// Cost: five divisions of 64 bits, and some 110 multiplications. Source: Roberts 1965.
     ///
     /// # Errors
-    /// [`InputError::FarTooClose`] where it is less than twice as far away as the near plane.
+    /// [`InputError::FarTooClose`] where `far` is less than twice the distance of the near plane.
     pub fn new(camera: &Camera, model: &Pose, far: I16F16) -> Result<Self, InputError> {
         let scales = Scales::new(camera, far)?;
         let [x, y, z] = view_of_model(camera.pose(), model);
@@ -122,24 +124,29 @@ impl ClipMatrix {
 
 /// The elements of the projection, with the fractional bits of the matrix: below 2^42.
 struct Scales {
+    /// 2f/W: what x in eye space adds to x in clip coordinates.
     x: i64,
+    /// 2f/H: what y in eye space adds to y in clip coordinates.
     y: i64,
     /// What z in eye space adds to x in clip coordinates where a camera's centre is beside the middle of its viewport.
     centre_x: i64,
     /// What z in eye space adds to y in clip coordinates where a camera's centre is above or below the middle of its viewport.
     centre_y: i64,
+    /// far / (far - near), from 1 to 2.
     depth: i64,
+    /// The number 1.
     one: i64,
 }
 
 impl Scales {
+    /// The elements for a camera and the distance of the far plane.
     fn new(camera: &Camera, far: I16F16) -> Result<Self, InputError> {
         let (near, far) = (i64::from(camera.near().to_bits()), i64::from(far.to_bits()));
         if far < 2 * near {
             return Err(InputError::FarTooClose);
         }
         let viewport = camera.viewport();
-        // 2f/W from 16 to 40 fractional bits: a focal length below 2^27, so the numerator is below 2^52.
+        // 2f/W from 16 to 40 fractional bits: a focal length is below 2^11 pixels, so the numerator is below 2^52.
         let focal_length = (camera.focal_length().to_bits() as u64) << (FRACTION_BITS - 16 + 1);
         let ratio = |size: u32| quotient(focal_length, u64::from(size));
         let (x, y) = (ratio(viewport.width()), ratio(viewport.height()));
@@ -147,11 +154,10 @@ impl Scales {
         let [right, down] = camera
             .offset()
             .map(|offset| i64::from(offset.to_bits()) << (FRACTION_BITS - 16 + 1));
-        let part = |way: i64, size: u32| way.signum() * quotient(way.unsigned_abs(), u64::from(size)) as i64;
-        let centre = [part(right, viewport.width()), part(-down, viewport.height())];
+        let part = |offset: i64, size: u32| quotient(offset.unsigned_abs(), u64::from(size));
+        let (centre_x, centre_y) = (part(right, viewport.width()), part(down, viewport.height()));
         // From 1 to 2.
         let depth = quotient((far as u64) << 32, (far - near) as u64) << (FRACTION_BITS - 32);
-        let [centre_x, centre_y] = centre.map(i64::unsigned_abs);
         let bits = 64 - (x | y | centre_x | centre_y).leading_zeros();
         let shift = bits.saturating_sub(FRACTION_BITS + 1);
         let half = (1 << shift) >> 1;
@@ -167,7 +173,8 @@ impl Scales {
     }
 }
 
-/// The row of x or y: of its own row of V M and that of z, each times its scale.
+/// A row of P V M: a row of V M times its scale, plus the row of z times what z adds. Scales have the fractional bits of the
+/// matrix.
 fn oblique([row, z]: [[i64; 4]; 2], [scale, centre]: [i64; 2]) -> [i64; 4] {
     let mut oblique = row.map(|element| scaled(element, scale));
     for (element, z) in oblique.iter_mut().zip(z) {

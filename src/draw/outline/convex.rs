@@ -3,7 +3,7 @@
 //! A contour is convex where it turns the same way at all of its corners and all turns together are one: then it goes down
 //! once and up once.
 //!
-//! Guarantees: exact. Cost: two products of 64 bits for each edge.
+//! Guarantees: exact. Cost: two products of 64 bits for each edge, four where it goes straight on.
 
 use crate::draw::outline::stored::Corner;
 
@@ -13,17 +13,18 @@ use crate::draw::outline::stored::Corner;
 pub(super) struct Turns {
     /// The ends of the first edge that is longer than 0.
     first: Option<[Corner; 2]>,
-    /// The ends of the last one.
+    /// The ends of the last edge that is longer than 0.
     last: [Corner; 2],
-    /// Whether the first edge that is not level goes down, and the last one.
+    /// Whether the first and the last edge that is not level go down; `None` where all are level.
     goes_down: Option<[bool; 2]>,
     /// How often an edge goes the other way in y than the one before that was not level.
     reversals: u32,
-    /// Whether it turns clockwise somewhere, and whether counterclockwise.
+    /// Whether it turns clockwise at some corner.
     clockwise: bool,
+    /// Whether it turns counterclockwise at some corner.
     counterclockwise: bool,
-    /// Whether it jumps, or turns back upon itself.
-    is_open: bool,
+    /// Whether an edge does not begin where the one before it ends, or goes back over that one.
+    is_broken: bool,
 }
 
 impl Turns {
@@ -45,32 +46,38 @@ impl Turns {
         self.last = [from, to];
     }
 
-    /// Turns from the last edge into another one.
+    /// Records the turn at the corner from the last edge to this one.
     fn turn(&mut self, [from, to]: [Corner; 2]) {
         let [before, joint] = self.last;
-        self.is_open |= joint != from;
+        self.is_broken |= joint != from;
         let along = |from: Corner, to: Corner| [i64::from(to[0] - from[0]), i64::from(to[1] - from[1])];
         let ([x, y], [next_x, next_y]) = (along(before, joint), along(from, to));
-        // In the domain, so that products fit.
+        // Corners in the domain differ by less than 2^22 units, so that products fit.
         let cross = x * next_y - y * next_x;
         self.clockwise |= cross > 0;
         self.counterclockwise |= cross < 0;
-        self.is_open |= cross == 0 && x * next_x + y * next_y < 0;
+        self.is_broken |= cross == 0 && x * next_x + y * next_y < 0;
     }
 
-    /// Whether the edges so far are one contour that does not turn back upon itself.
+    /// Records the turn from the last edge to the first one: to be called once, after the last edge.
+    pub(super) fn close(&mut self) {
+        if let Some(edge) = self.first {
+            self.turn(edge);
+        }
+    }
+
+    /// Whether the edges of a contour that was [closed](Self::close) are one contour that nowhere goes back over itself.
     pub(super) const fn are_one_contour(&self) -> bool {
-        !self.is_open
+        !self.is_broken
     }
 
-    /// Whether the edges so far are one convex contour.
-    pub(super) fn are_convex(&mut self) -> bool {
-        let (Some(edge), Some([first, last])) = (self.first, self.goes_down) else {
+    /// Whether the edges of a contour that was [closed](Self::close) are one convex contour.
+    pub(super) fn are_convex(&self) -> bool {
+        let Some([first, last]) = self.goes_down else {
             return false;
         };
-        self.turn(edge);
         let reversals = self.reversals + u32::from(first != last);
-        !self.is_open && reversals == 2 && !(self.clockwise && self.counterclockwise)
+        !self.is_broken && reversals == 2 && !(self.clockwise && self.counterclockwise)
     }
 }
 
@@ -91,6 +98,7 @@ mod tests {
                         turns.add(corner(index), corner(index + 1));
                     }
                 }
+                turns.close();
                 turns.are_convex()
             })
             .collect();

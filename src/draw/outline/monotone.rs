@@ -238,7 +238,7 @@ mod tests {
         for (index, corner) in corners.iter().enumerate() {
             turns.add(*corner, corners[(index + 1) % corners.len()]);
         }
-        turns.are_convex();
+        turns.close();
         let points: Vec<_> = corners
             .iter()
             .map(|[x, y]| SubPoint::<Sub8>::from_units(*x, *y).unwrap())

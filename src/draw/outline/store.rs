@@ -321,6 +321,7 @@ impl<'p, 'm> Writer<'p, 'm> {
         } else {
             stored.most_in(bounds.top..bounds.bottom)
         };
+        self.turns.close();
         let method = if self.is_aligned {
             AnyCoverage::CentreSample
         } else if outline.is_simple()

@@ -1,7 +1,9 @@
-//! Mixing levels as they are stored.
+//! Blending levels as they are stored, gamma-encoded: `(alpha * colour + (255 - alpha) * below) / 255`, two channels in one word.
 //!
 //! Guarantees: the nearest level, exactly. The sum of both products is at most 255 * 255, two such sums fit into 32 bits,
 //! and no quotient lies half way between two levels, because 255 is odd.
+//!
+//! Source of the division: Blinn 1994, "Three Wrongs Make a Right", IEEE Computer Graphics and Applications 15(6).
 
 use crate::{
     coverage::Coverage,
@@ -12,9 +14,9 @@ use crate::{
     surface::Order,
 };
 
-/// The levels of a channel are mixed as they are: what most libraries do, and the default.
+/// Blends the levels of a channel as they are stored: what most libraries do, and the default.
 ///
-/// On a display, which answers to levels with about their 2.2nd power, half of white over black is a fifth of its light:
+/// On a display, which has a gamma of about 2.2, half of white over black is a fifth of its light:
 /// thin bright shapes on dark ground look thinner than they are, see [`Gamma`](crate::shade::blend::Gamma).
 #[derive(Debug, Copy, Clone, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -25,7 +27,7 @@ impl TransferFunction for Encoded {
     fn blend<L: Layout, O: Order>(words: &mut [L::Word], color: L::Word, alpha: Coverage) {
         let rest = u32::from(Coverage::MAX) - u32::from(alpha);
         let drawn = L::split(color);
-        // What the colour adds is the same for every pixel, and so is what rounds to the nearest.
+        // What the colour adds is the same for every pixel, and so is the 128 that makes a division round.
         let pair = drawn.pair * u32::from(alpha) + 0x0080_0080;
         let middle = drawn.middle * u32::from(alpha) + 0x80;
         for word in words {
@@ -45,8 +47,8 @@ const fn level(sum: u32) -> u32 {
     (sum + (sum >> 8)) >> 8
 }
 
-/// Divides the sums in both halves of a word by 255, rounded to the nearest (Blinn 1994). Neither half carries into the other:
-/// 255 * 255 + 128 + 254 is below 2^16.
+/// A 255th, rounded to the nearest, of the sum in each half of a word, to which 128 was added (Blinn 1994). Neither half carries
+/// into the other: 255 * 255 + 128 + 254 is below 2^16.
 #[inline]
 const fn pair_of_levels(sums: u32) -> u32 {
     ((sums + ((sums >> 8) & 0x00ff_00ff)) >> 8) & 0x00ff_00ff

@@ -11,7 +11,7 @@
 //! and never outside the window. Exchanging the end points exchanges the result and changes nothing else; clipping the
 //! result again changes nothing. [`Segments::liang_barsky`](crate::clip::Segments::liang_barsky) gives the same integers.
 //!
-//! Cost: outcodes for what is plainly inside or outside; then one to three comparisons of two products, and a division for
+//! Cost: outcodes for what is plainly inside or outside; then at most three comparisons of two products, and a division for
 //! each end that is cut, never one for an end that is not part of the result. Take it to see how areas of the plane decide:
 //! [`Segments::liang_barsky`](crate::clip::Segments::liang_barsky) makes as many comparisons, of numbers that the cuts need anyway.
 
@@ -87,7 +87,7 @@ fn cut<S: SubPixel>(
         (true, true) if ray::<S>(&x, x.to_near, &y, y.to_near).is_lt() => Some(CrossedAxis::Y),
         (true, true) => Some(CrossedAxis::X),
     };
-    // Past a corner: it leaves on one axis before it enters on the other.
+    // The segment passes a corner outside: it leaves on one axis before it enters on the other.
     let passes = match entry {
         Some(CrossedAxis::X) => y.leaves && ray::<S>(&x, x.to_near, &y, y.to_far).is_gt(),
         Some(CrossedAxis::Y) => x.leaves && ray::<S>(&x, x.to_far, &y, y.to_near).is_lt(),
@@ -103,16 +103,16 @@ fn cut<S: SubPixel>(
         (true, true) if ray::<S>(&x, x.to_far, &y, y.to_far).is_lt() => Some(CrossedAxis::X),
         (true, true) => Some(CrossedAxis::Y),
     };
-    let end = |side: Option<CrossedAxis>, whole: SubPoint<S>, x: i32, y: i32| match side {
+    let end = |axis: Option<CrossedAxis>, whole: SubPoint<S>, side_x: i32, side_y: i32| match axis {
         None => Some(whole),
-        Some(CrossedAxis::X) => SubPoint::from_units(x, SideCrossing::at_x(from, to, x).rounded()).ok(),
-        Some(CrossedAxis::Y) => SubPoint::from_units(SideCrossing::at_y(from, to, y).rounded(), y).ok(),
+        Some(CrossedAxis::X) => SubPoint::from_units(side_x, SideCrossing::at_x(from, to, side_x).rounded()).ok(),
+        Some(CrossedAxis::Y) => SubPoint::from_units(SideCrossing::at_y(from, to, side_y).rounded(), side_y).ok(),
     };
     // Never `None` for a crossing in the window: all of that lies in the domain.
     Some((end(entry, from, x.near, y.near)?, end(exit, to, x.far, y.far)?))
 }
 
-/// The axis that a crossed side lies across.
+/// Which sides are crossed: the left or right one along `X`, the upper or lower one along `Y`.
 #[derive(Copy, Clone)]
 enum CrossedAxis {
     X,
@@ -121,12 +121,15 @@ enum CrossedAxis {
 
 /// A segment that outcodes do not reject, along one axis: the window's sides in the order in which it meets them.
 struct Travel {
+    /// The coordinate of the side that is met first, in units.
     near: i32,
+    /// The coordinate of the side that is met last, in units.
     far: i32,
     /// Whether the start is before the near side.
     enters: bool,
     /// Whether the end is beyond the far side.
     leaves: bool,
+    /// The distance between both ends.
     length: u32,
     /// The distance from the start to the near side. Where that side is behind the start, the number is not used.
     to_near: u32,
@@ -135,6 +138,7 @@ struct Travel {
 }
 
 impl Travel {
+    /// A segment by the coordinates of its start and its end, and the first and last one of the window, in units.
     fn along((from, to): (i32, i32), (first, last): (i32, i32)) -> Self {
         let (near, far, enters, leaves) = if from <= to {
             (first, last, from < first, to > last)
