@@ -358,6 +358,16 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         }
     }
 
+    fn most_nodes(&self) -> usize {
+        let fragments = if L::CLIPS {
+            let of_models = self.models.iter().map(|model| model.mesh().vertices().len());
+            self.vertices.len().saturating_sub(of_models.sum()) / FRAGMENT_VERTICES
+        } else {
+            0
+        };
+        self.next.len() + fragments
+    }
+
     /// Index of a node in the order of models and faces; after all faces for [`NONE`].
     fn order(&self, node: u16) -> u16 {
         if is_whole::<L>(node) {

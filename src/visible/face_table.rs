@@ -46,6 +46,8 @@ pub trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     fn first_in_row(&self, row: i32) -> u16;
     /// The face after a node that begins in the same row, or [`NONE`].
     fn next(&self, node: u16) -> u16;
+    /// A number that the nodes do not exceed: of all faces, and of the fragments for which there is room.
+    fn most_nodes(&self) -> usize;
     /// Index of a node in the order of models and faces.
     fn order(&self, node: u16) -> u16;
     /// The face of a node, with its colour, where it is found without a search: that of the first model, if it was not cut.

@@ -4,13 +4,13 @@ use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use zrow::{
     band::Band,
     geometry::{Sub4, TooSmall},
-    scene::{Pose, Rotation},
+    scene::{Memory, Pose, Rotation},
     visible::{DepthSort, DepthSortCounters},
 };
 
 use crate::common::cases;
 use crate::common::meshes::{self, Mesh};
-use crate::numbered_scene::{Scene, area};
+use crate::numbered_scene::{LookIn, Scene, area};
 use crate::snapped_faces::{at, camera, standard_pose};
 use crate::visibility::{HEIGHT, MemoryOf, WIDTH, check, check_formats, in_bands};
 
@@ -272,4 +272,35 @@ fn all_capacities() {
         };
     }
     with_conditions!(0 1 6 7 8 9 10 20);
+}
+
+/// Faces that the near plane cuts take two places each: with fewer the band is as it was, also where the method has as many
+/// places as there are faces.
+#[test]
+fn fragments_of_cut_faces_count() {
+    type Tight = Memory<LookIn<Sub4, u16>, { 9 + 6 * 4 }, 3, { WIDTH as usize }, { HEIGHT as usize }, 9>;
+    let Mesh { vertices, faces, .. } = cycle();
+    let cut = Mesh::new(vertices, faces[3..].to_vec());
+    let (scene, camera) = (Scene::new(vec![cut]), camera(area(WIDTH, HEIGHT)));
+    let models = scene.models(ahead(200));
+    let mut memory = Tight::new();
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
+    let expected = in_bands(FRAME, false, &mut |band| prepared.draw(band));
+    let mut words = vec![7; (WIDTH * HEIGHT) as usize];
+    let mut band = Band::<Rgb888>::new(area(WIDTH, HEIGHT), &mut words).unwrap();
+    let error = prepared.draw_by(&mut DepthSort::<3, 9>::new(), &mut band);
+    assert_eq!(error, Err(TooSmall::Faces(6)));
+    assert!(words.iter().all(|word| *word == 7));
+    check(
+        &mut prepared,
+        &expected,
+        "as many as are needed",
+        &mut DepthSort::<6, 9>::new(),
+    );
+    check(
+        &mut prepared,
+        &expected,
+        "as many as could be",
+        &mut DepthSort::<9, 9>::new(),
+    );
 }

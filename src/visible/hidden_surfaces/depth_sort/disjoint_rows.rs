@@ -38,6 +38,10 @@ pub(super) fn paint_disjoint_rows<S: ScreenPrecision, D: DepthWidth, H: Shading>
     if H::Attributes::NEED_DEPTH || H::BLENDS || H::HAS_HOLES {
         return window.top;
     }
+    // A list that has no room for all faces of some row.
+    if painter.active().is_none_or(|list| list.needs_passes()) {
+        return window.top;
+    }
     for row in window.top..window.bottom {
         if !paint_row(faces, [window.left, row], painter) {
             if let Some(list) = painter.active() {
@@ -50,17 +54,15 @@ pub(super) fn paint_disjoint_rows<S: ScreenPrecision, D: DepthWidth, H: Shading>
     window.bottom
 }
 
-/// Paints a row that begins at a column. `false` where faces have a column in common, or the list has no room for all of them:
-/// some were painted then.
+/// Paints a row that begins at a column. `false` where faces have a column in common: some were painted then.
 fn paint_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     faces: &impl FaceTable<S, D, H>,
     at: [i32; 2],
     painter: &mut impl Painter<S, H>,
 ) -> bool {
     let [_, row] = at;
-    let has_room = painter.active().is_some_and(|list| bring_to_row(list, faces, at));
-    if !has_room {
-        return false;
+    if let Some(list) = painter.active() {
+        bring_to_row(list, faces, at);
     }
     if painter.disjoint_row(row) {
         return true;
@@ -72,16 +74,12 @@ fn paint_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     painter.disjoint_row(row)
 }
 
-/// Brings the active list to a row that begins at a column, with faces in the order of columns. `false` where it has no room for
-/// all faces.
+/// Brings the active list to a row that begins at a column, with faces in the order of columns.
 fn bring_to_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     list: &mut ActiveList<S, H>,
     faces: &impl FaceTable<S, D, H>,
     [left, row]: [i32; 2],
-) -> bool {
-    if list.needs_passes() {
-        return false;
-    }
+) {
     if list.disjoint && list.next_row == row && list.first_column == left {
         let first = faces.first_in_row(row);
         if first != NONE {
@@ -92,5 +90,4 @@ fn bring_to_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
         list.enter_in_order(faces, row);
     }
     list.next_row = row + 1;
-    true
 }

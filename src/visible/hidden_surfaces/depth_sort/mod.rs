@@ -184,10 +184,8 @@ impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> Method<D> for Depth
         H: Shading,
         F: FaceTable<S, D, H>,
     {
-        // Too many, perhaps, because not all of them meet the window.
-        let mut nodes = 0;
-        for_each_node(faces, window, |_| nodes += 1);
-        if nodes > FACES {
+        // Not all of so many meet the window.
+        if faces.most_nodes() > FACES {
             self.collect(faces, window)?;
         }
         let top = paint_disjoint_rows(faces, window, painter);
