@@ -9,6 +9,8 @@ use embedded_graphics::pixelcolor::{
     raw::{BigEndian, LittleEndian, RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
 };
 
+use crate::geometry::HAS_DIVIDER;
+
 // Seals what words a colour may have, and is not re-exported.
 /// The word of one pixel: `u8`, `u16` or `u32`.
 ///
@@ -346,7 +348,7 @@ pub(crate) fn not_constant<W: PixelWord>(word: W) -> W {
 #[inline(always)]
 fn fill_words(words: &mut [u32], word: u32) {
     // The last block overlaps what is filled already: that takes less than sorting out the remainder.
-    if let Some(last) = words.last_chunk_mut::<16>() {
+    if let Some(last) = last_block_mut(words) {
         *last = [word; 16];
         let mut rest = words;
         while fill_block::<64, u32>(&mut rest, word) {}
@@ -364,6 +366,18 @@ fn fill_words(words: &mut [u32], word: u32) {
         fill_block::<2, u32>(&mut rest, word);
         fill_block::<1, u32>(&mut rest, word);
     }
+}
+
+/// The last 16 words, if there are so many.
+#[inline(always)]
+fn last_block_mut(words: &mut [u32]) -> Option<&mut [u32; 16]> {
+    if HAS_DIVIDER {
+        return words.last_chunk_mut();
+    }
+    // A Cortex-M0+ has no offsets below an address: the compiler, which would count from the end, would compute an address for
+    // each store.
+    let start = black_box(words.len().checked_sub(16)?);
+    words.get_mut(start..)?.first_chunk_mut()
 }
 
 /// Runs of up to twice as many pixels are written as two blocks, which may overlap: that takes less than finding whole

@@ -31,7 +31,7 @@ use crate::{
             prepare::{Draft, Prepare, not_used},
         },
     },
-    geometry::{HAS_DIVIDER, Window, leading_zeros},
+    geometry::{HAS_DIVIDER, Window},
     surface::{BandColor, Order, PixelWord, Target},
 };
 
@@ -190,13 +190,38 @@ fn set_pixels<W: PixelWord>(row: &mut [W], left: i32, mut bits: u32, word: W) {
 /// As [`set_pixels`], each one if the row has it.
 #[inline(never)]
 fn set_visible_pixels<W: PixelWord>(row: &mut [W], left: i32, mut bits: u32, word: W) {
+    if !HAS_DIVIDER {
+        return set_by_column(row, left, bits, word);
+    }
     let mut column = left;
     while bits != 0 {
-        let gap = leading_zeros(bits);
+        let gap = bits.leading_zeros();
         column += gap as i32;
         set_pixel(row, column, word);
         column += 1;
         bits = bits << gap << 1;
+    }
+}
+
+/// As [`set_visible_pixels`], for a processor without an instruction that counts to the next bit.
+#[inline]
+fn set_by_column<W: PixelWord>(row: &mut [W], left: i32, bits: u32, word: W) {
+    let hidden = left.min(0).unsigned_abs();
+    let visible = row.get_mut(left.max(0) as usize..);
+    let (Some(mut bits), Some(mut pixels)) = (bits.checked_shl(hidden), visible) else {
+        return;
+    };
+    while let [pixel, rest @ ..] = pixels {
+        if bits >> 31 != 0 {
+            *pixel = word;
+        }
+        bits <<= 1;
+        if bits == 0 {
+            return;
+        }
+        pixels = rest;
+        // Unrolled, the loop would test for both ends at once, by arithmetic.
+        black_box(());
     }
 }
 
@@ -286,4 +311,25 @@ fn draw_text<C: BandColor, O: Order>(font: &MonoFont<'_>, mut reader: Reader<'_>
         return;
     };
     let Ok(()) = Text::with_text_style(characters, position, style, text_style).draw_on(band);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pixels_beyond_a_row_are_left_out_with_and_without_counting_zeros() {
+        for left in (-40..45).chain([-(1 << 30), 1 << 30]) {
+            for bits in [0, 1, 1 << 31, u32::MAX, 0x8000_0001, 0x5a00_0000, 0x00f0_f0f0] {
+                let expected: [u16; 40] = core::array::from_fn(|column| {
+                    let bit = column as i64 - i64::from(left);
+                    u16::from((0..32).contains(&bit) && bits << bit >> 31 != 0)
+                });
+                let (mut counted, mut by_column) = ([0; 40], [0; 40]);
+                set_visible_pixels(&mut counted, left, bits, 1);
+                set_by_column(&mut by_column, left, bits, 1);
+                assert_eq!((counted, by_column), (expected, expected), "{left}, {bits:#x}");
+            }
+        }
+    }
 }
