@@ -85,7 +85,8 @@ struct Differences {
 }
 
 // In the domain the second derivative is below 6 * 2^23 units and the third below 6 * 2^24. So all differences of a step
-// that lies on the curve fit 63 bits with their guard bits; one more step behind the end may wrap, and is never read.
+// that lies on the curve fit 63 bits with their guard bits. One more step behind the end, which is never read, fits as well: the
+// last steps are short, since the curve is level within the tolerance there.
 impl Differences {
     /// The differences for one step over the whole curve, from the coefficients of the power basis.
     fn new(coefficients: &[i32]) -> Self {

@@ -12,7 +12,7 @@ use crate::scan::polygon::{Crossing, ScanEdge};
 pub struct ActiveEdge<'e, G> {
     /// Column and error term of the crossing of this edge with the current row of pixel centres.
     pub crossing: Crossing,
-    /// The edge's index in the edge table.
+    /// The edge in the edge table.
     pub edge: &'e G,
 }
 

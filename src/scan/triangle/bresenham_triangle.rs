@@ -156,7 +156,8 @@ pub fn outline<E>(
 
 /// Generates the edges around the pixels that [`fill`] would hand over, for the scan conversion of polygons.
 ///
-/// Cost: that of setting up the triangle for each of its vertices' rows.
+/// Cost: that of setting up the triangle for each of its vertices' rows; for every visible row where its rightmost vertex is in
+/// column `i32::MAX`.
 pub fn edges(vertices: [Point; 3], window: &Window, sink: &mut dyn FnMut(Edge)) {
     let Some(mut triangle) = TriangleLines::visible(vertices, window) else {
         return;

@@ -95,6 +95,9 @@ impl Polygons {
         mut emit: impl FnMut(Span) -> Result<(), E>,
     ) -> Result<(), E> {
         let visible = pixel_bounds::visible(contours, window);
+        if visible.is_empty() {
+            return Ok(());
+        }
         let mut belongs = |x: i32, y: i32| {
             let centre = PixelCentre {
                 x: x << V::FRACTION_BITS,
