@@ -193,16 +193,17 @@ impl<'a, C: BandColor, O: Order> Band<'a, C, O> {
         let Window { left, top, .. } = self.window;
         // As unsigned numbers, columns left of the window and rows above it are beyond its right and lower sides.
         let (column, row) = (offset_from(left, point.x), offset_from(top, point.y));
-        let (width, height) = (self.window.right - left, self.window.bottom - top);
-        let is_inside = column < width as u32 && row < height as u32;
+        let (width, height) = (distance(left, self.window.right), distance(top, self.window.bottom));
+        let is_inside = column < width && row < height;
         is_inside.then(|| self.index_unchecked(point.x, point.y))
     }
 
     /// The index of a pixel that is inside the window; some number for any other.
     fn index_unchecked(&self, x: i32, y: i32) -> usize {
+        // Of a pixel outside the window an index of 32 bits may wrap.
         let row = offset_from(self.window.top, y) as usize;
         let column = offset_from(self.window.left, x) as usize;
-        row * self.stride + column
+        row.wrapping_mul(self.stride).wrapping_add(column)
     }
 
     /// Whether all pixels of a span are inside the window, and its start is not behind its end.

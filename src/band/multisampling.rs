@@ -173,10 +173,11 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> Multisampled<'_, C, O, P> {
     /// The samples of the pixels of a span that [`Span::clipped_to`] the window returned; of another one, some or none.
     #[inline]
     fn samples(&mut self, span: Span) -> &mut [C::Word] {
-        let row = (offset_from(self.window.top, span.y) as usize) * self.stride;
+        // Of a row outside the window an index of 32 bits may wrap.
+        let row = (offset_from(self.window.top, span.y) as usize).wrapping_mul(self.stride);
         let position = |x: i32| {
             let column = offset_from(self.window.left, x) as usize;
-            (row + column) * P::SAMPLES
+            row.wrapping_add(column).wrapping_mul(P::SAMPLES)
         };
         self.words
             .get_mut(position(span.start)..position(span.end))
@@ -319,7 +320,8 @@ impl<C: ChannelColor, O: Order, P: SamplePattern> BatchBlend for Multisampled<'_
             return Ok(());
         }
         let pixels = self.samples(span).chunks_exact_mut(P::SAMPLES);
-        for (x, pixel) in (span.start..).zip(pixels) {
+        // The pixels come first: behind the last one there may be no column.
+        for (pixel, x) in pixels.zip(span.start..) {
             for word in pixel {
                 blend_words::<C, Encoded, O>(from_mut(word), Point::new(x, span.y), color, coverage);
             }

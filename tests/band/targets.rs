@@ -450,7 +450,9 @@ fn a_span_that_reaches_out_of_a_display_is_cut_to_it() {
 /// An area as large as one can be: 64 x 48 of its colours are read, and one step leads to each row.
 #[test]
 fn endless_areas_cost_what_is_visible() {
-    let area = Rectangle::new(Point::new(i32::MIN, i32::MIN), Size::new(u32::MAX, u32::MAX));
+    // A step is as long as a `usize`: with 32 bits one leads to the next row, and not past 2^31 rows.
+    let top = if usize::BITS < 64 { LAST_COLUMNS.top } else { i32::MIN };
+    let area = Rectangle::new(Point::new(i32::MIN, top), Size::new(u32::MAX, u32::MAX));
     let check = |draw: &dyn Fn(Colors<Rgb565>)| {
         let reading = Reading::default();
         draw(Colors::new(u128::MAX, &reading));

@@ -472,7 +472,8 @@ where
             return Ok(());
         }
         let first = band.window.top - top;
-        for (sample_row, samples) in (first..).zip(band.words.chunks_exact_mut(band.stride.max(1))) {
+        // The samples come first: behind the last ones there may be no row.
+        for (samples, sample_row) in band.words.chunks_exact_mut(band.stride.max(1)).zip(first..) {
             self.add_row::<O>(samples, sample_row);
             for open in self.open_rows(sample_row).filter(|open| open.is_finished) {
                 let top = self.display.top + open.row;

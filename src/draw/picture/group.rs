@@ -512,7 +512,8 @@ fn blend_over<C: ChannelColor, O: Order>(
         0 => words.iter_mut().zip(kept).for_each(|(word, below)| *word = *below),
         u8::MAX => {}
         _ => {
-            for ((x, word), below) in (first..).zip(words).zip(kept) {
+            // The words come first: behind the last one there may be no column.
+            for ((word, below), x) in words.iter_mut().zip(kept).zip(first..) {
                 if word != below {
                     let [above, below] = [*word, *below].map(|word| C::from_word(O::reorder(word)));
                     *word = O::reorder(above.over::<10>(below, opacity, Point::new(x, top)).to_word());
