@@ -34,6 +34,7 @@ mod far_strokes;
 mod far_windows;
 mod flood_fill;
 mod groups;
+mod large_pools;
 mod lines;
 mod mask_texts;
 mod mirrored_ellipses;

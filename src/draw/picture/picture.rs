@@ -13,7 +13,7 @@ use crate::{
             buckets::Buckets,
             damage::Damage,
             item::{Extent, ItemId, NONE, PictureItem, PictureSlot, Role},
-            pool::Pool,
+            pool::{Pool, position_of},
             prepare::{Draft, Prepare, not_used},
         },
     },
@@ -212,7 +212,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// that one row meets at most 76 each and 20 for each end or join that is round.
     ///
     /// # Errors
-    /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed, and
+    /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed (an item whose
+    /// words would begin behind the first 65,536, or are more than 65,535, finds no room in any pool), and
     /// [`InputError::OutOfDomain`] for an outline or the vertices of a stroke beyond their number range; the picture is as it was.
     pub fn add(&mut self, item: &impl Prepare<'a, C, O>) -> Result<ItemId, InputError> {
         let id = self.add_unrecorded(item)?;
@@ -260,7 +261,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         self.check_id(id)?;
         if let Ok((at, words, draft)) = self.pool.append(|payload| item.prepare(payload)) {
             if let Err(error) = self.check(draft.segments) {
-                self.pool.undo(at);
+                self.pool.undo(words);
                 return Err(error);
             }
             self.exchange(id, (at, words, draft));
@@ -385,7 +386,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         match self.check(draft.segments) {
             Ok(()) => Ok((at, words, draft)),
             Err(error) => {
-                self.pool.undo(at);
+                self.pool.undo(words);
                 Err(error)
             }
         }
@@ -479,7 +480,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
             return Ok(());
         }
         let used = self.pool.used() - had + needed;
-        let (Ok(new_at), Ok(new_words)) = (u16::try_from(used - needed), u16::try_from(needed)) else {
+        let Some((new_at, new_words)) = position_of(used - needed, needed) else {
             return Err(too_few_words(used));
         };
         if used > self.pool.len() {

@@ -7,6 +7,15 @@ pub(super) const fn packed(low: i32, high: i32) -> u32 {
     (low as u32 & 0xffff) | (high as u32) << 16
 }
 
+/// Where the words of an item begin, and how many they are, as a slot has them: `None` where 16 bits do not tell it. An item
+/// without words has no beginning, and can be told however many words others take.
+pub(super) fn position_of(at: usize, words: usize) -> Option<(u16, u16)> {
+    if words == 0 {
+        return Some((0, 0));
+    }
+    Some((u16::try_from(at).ok()?, u16::try_from(words).ok()?))
+}
+
 /// The words of all items, one item after the other, without gaps.
 #[derive(Debug)]
 pub struct Pool<'m> {
@@ -42,8 +51,8 @@ impl<'m> Pool<'m> {
 
     /// The words from one on, and the memory of antialiasing.
     #[inline]
-    pub(crate) fn words_and_memory(&mut self, at: u16) -> (&[u32], &mut RowMemory<'m>) {
-        let words = self.words.get(usize::from(at)..).unwrap_or_default();
+    pub(crate) fn words_and_memory(&mut self, at: impl Into<usize>) -> (&[u32], &mut RowMemory<'m>) {
+        let words = self.words.get(at.into()..).unwrap_or_default();
         (words, &mut self.memory)
     }
 
@@ -60,7 +69,13 @@ impl<'m> Pool<'m> {
     /// The words of an item from one on, so many of them.
     #[inline]
     pub(crate) fn array<const N: usize>(&mut self, at: u16) -> Option<&mut [u32; N]> {
-        self.words.get_mut(usize::from(at)..)?.first_chunk_mut()
+        self.array_at(at.into())
+    }
+
+    /// As many words from an index on, which may lie behind those at which items begin.
+    #[inline]
+    pub(crate) fn array_at<const N: usize>(&mut self, index: usize) -> Option<&mut [u32; N]> {
+        self.words.get_mut(index..)?.first_chunk_mut()
     }
 
     /// The words of an item.
@@ -76,14 +91,15 @@ impl<'m> Pool<'m> {
         self.words.get_mut(at..at + usize::from(words)).unwrap_or_default()
     }
 
-    /// Writes words behind the last one, and takes them. Or says how many the pool would have to have, and takes none.
+    /// Writes words behind the last one, and takes them; returns where they begin and how many they are, (0, 0) where there are none.
+    /// Or says how many the pool would have to have, and takes none.
     pub(crate) fn append<R>(&mut self, write: impl FnOnce(&mut Payload<'_>) -> R) -> Result<(u16, u16, R), usize> {
         let segments = self.memory.most_segments();
         let mut payload = Payload::new(self.words.get_mut(self.used..).unwrap_or_default(), segments);
         let written = write(&mut payload);
         let end = self.used + payload.needed();
-        match (u16::try_from(self.used), u16::try_from(payload.needed())) {
-            (Ok(at), Ok(words)) if end <= self.words.len() => {
+        match position_of(self.used, payload.needed()) {
+            Some((at, words)) if end <= self.words.len() => {
                 self.used = end;
                 Ok((at, words, written))
             }
@@ -91,9 +107,9 @@ impl<'m> Pool<'m> {
         }
     }
 
-    /// Gives the words back that were appended last.
-    pub(crate) const fn undo(&mut self, at: u16) {
-        self.used = at as usize;
+    /// Gives the words back that were appended last, which are so many.
+    pub(crate) const fn undo(&mut self, words: u16) {
+        self.used = self.used.saturating_sub(words as usize);
     }
 
     /// Moves the words that were appended last in the place of as many words of an item.

@@ -34,7 +34,7 @@ use crate::{
 };
 
 /// Words of a cursor.
-const CURSOR_WORDS: u16 = 2;
+const CURSOR_WORDS: usize = 2;
 
 macro_rules! prepared_by_layers {
     ($($style:ty),+) => {$(
@@ -61,7 +61,7 @@ fn prepare<'a, C: ChannelColor, O: Order>(
     let (mut count, mut segments, mut bounds) = (0, 0, Window::EMPTY);
     let written = layers(&mut |layer| {
         if count > 0 {
-            payload.push_all(&[0; CURSOR_WORDS as usize]);
+            payload.push_all(&[0; CURSOR_WORDS]);
         }
         count += 1;
         payload.push_pixel(layer.color.to_word());
@@ -89,13 +89,13 @@ fn prepare<'a, C: ChannelColor, O: Order>(
 /// How outlines over each other are drawn: the lowest one has its cursor in the slot.
 struct Layers;
 
-/// Where a layer lies in the pool.
+/// Where a layer lies in the pool: also behind the first 65,536 words, in which the item begins.
 #[derive(Debug, Copy, Clone)]
 struct Position {
     /// The word of the colour.
-    color: u16,
+    color: usize,
     /// The first word of the cursor; `None` for the one in the slot.
-    cursor: Option<u16>,
+    cursor: Option<usize>,
 }
 
 impl Layers {
@@ -106,19 +106,20 @@ impl Layers {
         mut call: impl FnMut(Position, StoredOutline<'_>),
     ) {
         let words = pool.slice(slot.at, slot.words);
+        let at = usize::from(slot.at);
         let mut position = 0;
         let mut cursor = None;
-        while let Some(rest) = words.get(usize::from(position) + 1..).filter(|rest| !rest.is_empty()) {
+        while let Some(rest) = words.get(position + 1..).filter(|rest| !rest.is_empty()) {
             let outline = StoredOutline::new(rest);
             call(
                 Position {
-                    color: slot.at + position,
+                    color: at + position,
                     cursor,
                 },
                 outline,
             );
-            let end = position + 1 + outline.words();
-            cursor = Some(slot.at + end);
+            let end = position + 1 + usize::from(outline.words());
+            cursor = Some(at + end);
             position = end + CURSOR_WORDS;
         }
     }
@@ -127,7 +128,7 @@ impl Layers {
     fn with_cursors<'a, C: BandColor, O: Order>(
         slot: &mut PictureSlot<'a, C, O>,
         pool: &mut Pool<'_>,
-        mut call: impl FnMut(&PictureSlot<'a, C, O>, [u32; 2], &mut Pool<'_>, u16) -> [u32; 2],
+        mut call: impl FnMut(&PictureSlot<'a, C, O>, [u32; 2], &mut Pool<'_>, usize) -> [u32; 2],
     ) {
         // No shape has more layers than a fill and a stroke.
         let mut positions = [None; 2];
@@ -140,13 +141,13 @@ impl Layers {
         for Position { color, cursor } in positions.into_iter().flatten() {
             let before = match cursor {
                 None => slot.cursor,
-                Some(cursor) => pool.array(cursor).copied().unwrap_or_default(),
+                Some(cursor) => pool.array_at(cursor).copied().unwrap_or_default(),
             };
             let after = call(slot, before, pool, color);
             match cursor {
                 None => slot.cursor = after,
                 Some(cursor) => {
-                    if let Some(words) = pool.array(cursor) {
+                    if let Some(words) = pool.array_at(cursor) {
                         *words = after;
                     }
                 }
@@ -169,9 +170,9 @@ impl<C: ChannelColor, O: Order> PictureItem<C, O> for Layers {
     fn translate(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, by: Point) {
         let mut rest = pool.slice_mut(slot.at, slot.words);
         while let Some((_, outline)) = rest.split_first_mut() {
-            let words = StoredOutline::new(outline).words();
+            let words = usize::from(StoredOutline::new(outline).words());
             outline::translate(outline, by.into());
-            rest = outline.get_mut(usize::from(words + CURSOR_WORDS)..).unwrap_or_default();
+            rest = outline.get_mut(words + CURSOR_WORDS..).unwrap_or_default();
         }
     }
 
