@@ -16,7 +16,7 @@ use zrow::{
 
 use crate::{
     common::{self, cases, config},
-    picture_display::Display,
+    picture_display::{self, Display},
 };
 
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(50, 40));
@@ -436,6 +436,45 @@ fn an_anchor_far_from_the_outline_changes_nothing() {
     });
     assert!(pictures.iter().all(|picture| *picture == pictures[0]));
     assert!(pictures[0].contains(&Rgb565::RED));
+}
+
+/// A triangle whose upright side is cut into edges of 1/256 pixel, which are more than one chain can have: its pixels are those of
+/// the triangle with three corners.
+#[test]
+fn an_outline_may_go_down_in_more_edges_than_a_chain_has() {
+    const END: i32 = 1 << 14;
+    let area = Rectangle::new(Point::new(-2, -66), Size::new(8, 132));
+    let triangle = [(1_000, 0), (0, -END), (0, END)].map(point).to_vec();
+    let fine: Vec<_> = [(1_000, 0)]
+        .into_iter()
+        .chain((-END..=END).map(|y| (0, y)))
+        .map(point)
+        .collect();
+    let shown = |corners: Vec<SubPoint<Sub8>>, height: u32| {
+        let mut memory = AntialiasingMemory::<9, 300, 4>::new();
+        let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], vec![0; 40_000]);
+        let mut picture = Picture::<Rgb565>::new(area, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
+        let contours = Contours::Corners(vec![corners]);
+        picture.add_outline(&contours, FillRule::NonZero, Rgb565::RED).unwrap();
+        picture_display::in_bands(&mut picture, area, &[height])
+    };
+    let expected = shown(triangle.clone(), 1);
+    assert_eq!(expected, drawn_on_black(area, &Contours::Corners(vec![triangle])));
+    assert!(expected.iter().filter(|word| **word != 0).count() > 250);
+    for height in [1, 7] {
+        assert_eq!(shown(fine.clone(), height), expected);
+        // From the bottom to the top.
+        assert_eq!(shown(fine.iter().rev().copied().collect(), height), expected);
+    }
+}
+
+/// The words of an area on which a red outline was drawn without a picture.
+fn drawn_on_black(area: Rectangle, outline: &Contours) -> Vec<u16> {
+    let polygon = Polygon::prepare(outline, FillRule::NonZero).unwrap();
+    words(area, |band| {
+        let method = polygon.exact_method(outline);
+        polygon.draw(&method, Rgb565::RED, band, &mut [0; 100]).unwrap();
+    })
 }
 
 #[test]

@@ -117,6 +117,9 @@ const EMPTY: Range<i32> = Range {
     end: i32::MIN,
 };
 
+/// The most corners of a chain, whose first word has 15 bits for their number. What is longer goes on as another chain.
+const MOST_CORNERS: u32 = (1 << 15) - 1;
+
 /// A chain whose last edge is not known yet.
 #[derive(Debug)]
 struct OpenChain {
@@ -202,7 +205,8 @@ impl<'p, 'm> Writer<'p, 'm> {
         };
         let runs_up = edge.winding() < 0;
         self.is_aligned &= edge.is_aligned();
-        let goes_on = |chain: &OpenChain| chain.runs_up == runs_up && chain.last == from;
+        let goes_on =
+            |chain: &OpenChain| chain.runs_up == runs_up && chain.last == from && chain.corners < MOST_CORNERS;
         if !self.open.as_ref().is_some_and(goes_on) {
             self.close_chain();
             self.open_chain(from, runs_up);
