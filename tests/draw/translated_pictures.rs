@@ -17,7 +17,7 @@ use proptest::prelude::*;
 use zrow::{
     draw::{
         AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Path, PathCommand, Picture, PictureSlot, Polygon,
-        PrimitiveStyle, StrokeAlignment, SubArc, ThinCircle,
+        PrimitiveStyle, StrokeAlignment, SubArc, SubEllipse, ThinCircle,
     },
     geometry::{InputError, Sub8, SubPoint, TooSmall, Window},
 };
@@ -336,4 +336,50 @@ fn what_cannot_be_moved_stays() {
     picture.clear();
     let gone = TooSmall::Items(2);
     assert_eq!(picture.translate(near, by(1, 1)), Err(InputError::TooSmall(gone)));
+}
+
+/// An item without pixels has none wherever it is: it is moved by any numbers, which its words need not hold.
+#[test]
+fn items_without_pixels_are_moved_by_any_numbers() {
+    let fill = PrimitiveStyle::with_fill(Rgb888::WHITE);
+    let by_reference = Rectangle::new(Point::new(3, 3), Size::zero()).into_styled(fill);
+    let far = Rectangle::new(Point::new(40_000, 3), Size::new(4, 4)).into_styled(fill);
+    let center = SubPoint::<Sub8>::from_units(-1_280, 0).unwrap();
+    let disc = SubEllipse::circle(center, U24F8::ZERO).unwrap();
+    let mut memory = Memory::new();
+    let mut picture = memory.picture();
+    let ids = [
+        picture.add_item(&by_reference).unwrap(),
+        picture.add_outline(&disc, FillRule::NonZero, Rgb888::WHITE).unwrap(),
+        picture
+            .add(&Text::new(
+                "",
+                Point::zero(),
+                MaskTextStyle::new(&DEJAVU_SANS_16, Rgb888::WHITE),
+            ))
+            .unwrap(),
+        picture
+            .add(&Text::new(
+                "",
+                Point::zero(),
+                MonoTextStyle::new(&FONT_6X10, Rgb888::WHITE),
+            ))
+            .unwrap(),
+    ];
+    let far = picture.add_item(&far).unwrap();
+    picture.clear_damage();
+    for id in ids {
+        for by in [i32::MAX, i32::MAX, i32::MIN, i32::MIN] {
+            assert_eq!(picture.translate(id, Point::new(by, 0)), Ok(()));
+            assert_eq!(picture.translate(id, Point::new(0, by)), Ok(()));
+        }
+    }
+    assert_eq!(picture.next_damage(), None);
+    assert_eq!(in_bands(&mut picture, AREA, &[1]), [0; PIXELS]);
+    // One that has pixels, if none that a picture can tell, stays where it is.
+    let out = Err(InputError::OutOfDomain {
+        min: -32_767,
+        max: 32_765,
+    });
+    assert_eq!(picture.translate(far, Point::new(-39_990, 0)), out);
 }

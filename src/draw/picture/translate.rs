@@ -83,7 +83,9 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
     }
 
     fn translate_one(&mut self, index: usize, by: Point) {
-        if by == Point::zero() || matches!(self.role_of(index), Role::GroupBegin | Role::GroupEnd) {
+        // An item without pixels may be moved by any numbers: its position could leave the number range, and shows nowhere.
+        let has_nothing = self.slots.get(index).is_none_or(|slot| slot.extent.has_nothing());
+        if has_nothing || by == Point::zero() || matches!(self.role_of(index), Role::GroupBegin | Role::GroupEnd) {
             return;
         }
         self.record_all(index);
