@@ -171,8 +171,10 @@ impl defmt::Format for Damage<'_> {
 /// Whether the box around two rectangles takes hardly more than they do.
 fn is_worth_fusing(one: &Window, other: &Window) -> bool {
     let common = one.intersection(other);
-    let cost = |window: &Window| pixels(window) + PIXELS_A_ROW * u64::from(window.height());
-    cost(&one.around(other)) + pixels(&common) <= cost(one) + cost(other) + PIXELS_A_WINDOW
+    // A grid may be so coarse that a rectangle has all columns and rows, whose pixels alone take nearly 64 bits.
+    let cost = |window: &Window| pixels(window).saturating_add(PIXELS_A_ROW * u64::from(window.height()));
+    let apart = cost(one).saturating_add(cost(other)).saturating_add(PIXELS_A_WINDOW);
+    cost(&one.around(other)).saturating_add(pixels(&common)) <= apart
 }
 
 /// The difference of a rectangle and another one that it overlaps, as four rectangles, some of them empty: what lies
@@ -288,5 +290,27 @@ mod tests {
             right: 216,
             bottom: 72
         }));
+    }
+
+    /// The costs of what is fused are more than 64 bits tell.
+    #[test]
+    fn rectangles_of_all_columns_and_rows_are_covered() {
+        let window = |left: i32, top: i32| Window {
+            left,
+            top,
+            right: left + 2,
+            bottom: top + 2,
+        };
+        for room in 1..4 {
+            let mut memory = vec![Window::EMPTY; room];
+            let mut damage = Damage::new(&mut memory, (u32::MAX, u32::MAX));
+            for window in [window(-5, -5), window(3, 3), window(-1, -1), window(-1, 1)] {
+                damage.add(window);
+                assert!(
+                    damage.taken().iter().any(|area| area.meets(&window)),
+                    "{window:?} in {damage:?}"
+                );
+            }
+        }
     }
 }
