@@ -413,3 +413,21 @@ fn groups_without_one_of_their_ends() {
     assert_eq!(pixels(&mut picture), WIDTH * 32);
     assert!(picture.replace_group(group, Group::new()).is_err());
 }
+
+/// From the band to the picture's area there are more columns than 31 bits tell.
+#[test]
+fn a_band_far_left_of_the_area_shows_nothing_of_a_group() {
+    let area = Rectangle::new(Point::new(i32::MAX - 10, 0), Size::new(10, 10));
+    let (mut slots, mut pool, mut kept) = ([PictureSlot::EMPTY; 3], [0; 5], [0; 10]);
+    let mut picture = Picture::<Rgb565>::new(area, &mut slots, &mut pool, &mut []).with_group_rows(&mut kept);
+    let frame =
+        Rectangle::new(Point::new(-20, 0), Size::new(40, 10)).into_styled(PrimitiveStyle::with_fill(Rgb565::RED));
+    picture.begin_group(Group::new().opacity(128)).unwrap();
+    picture.add(&frame).unwrap();
+    picture.end_group().unwrap();
+    for left in [-20, -(1 << 30)] {
+        let mut words = [0; 40];
+        picture.draw(&mut Band::new(Rectangle::new(Point::new(left, 0), Size::new(40, 1)), &mut words).unwrap());
+        assert_eq!(words, [0; 40]);
+    }
+}

@@ -98,11 +98,12 @@ impl Group {
         self.opacity != 0 && self.opacity != u8::MAX
     }
 
-    /// The columns that a row shows of the group.
+    /// The columns that a row shows of the group. Where there are none, they begin in column 0, from which the columns of items and
+    /// of bands can be counted: the row may be cut off at an area that is farther away than the number range.
     fn columns_in(&self, row: &Window) -> Range<i32> {
         let clipped = self.clip.intersection(row);
         if clipped.is_empty() || self.opacity == 0 {
-            return row.left..row.left;
+            return 0..0;
         }
         clipped.left..clipped.right
     }
