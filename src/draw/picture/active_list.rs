@@ -22,8 +22,8 @@ use crate::{
     surface::{BandColor, Order, Target},
 };
 
-/// Whether columns can be counted from a band's first one: from -2^30 to 2^30 - 1. No item is so far to the right, and
-/// no buffer holds the columns from so far to the left.
+/// Whether columns can be counted from a band's first one: from -2^30 to 2^30 - 1. Bands that begin elsewhere show nothing: no item
+/// is so far to the right, and from so far to the left only a row of more than 2^30 pixels would reach an item.
 #[inline]
 const fn is_near(left: i32) -> bool {
     -(1 << 30) <= left && left < 1 << 30

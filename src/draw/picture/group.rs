@@ -368,7 +368,8 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
             }
             most_inside = most_inside.max(inside);
         }
-        let needed = (around + 1 + most_inside) * self.area.width() as usize;
+        // No slice has as many words as this is where it does not fit.
+        let needed = (around + 1 + most_inside).saturating_mul(self.area.width() as usize);
         if needed <= self.group_rows.len() {
             Ok(())
         } else {
