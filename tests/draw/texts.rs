@@ -10,9 +10,12 @@ use embedded_graphics::{
     text::{Alignment, Baseline, LineHeight, Text, TextStyle, TextStyleBuilder},
 };
 use proptest::prelude::*;
-use zrow::draw::DrawOn;
+use zrow::draw::{DrawOn, Picture, PictureSlot};
 
-use crate::common::{cases, config, picture};
+use crate::{
+    common::{cases, config, picture},
+    picture_display::in_bands,
+};
 
 /// All fonts of embedded-graphics in the character sets that have the usual sizes, and those of JIS X 0201.
 fn fonts() -> Vec<&'static MonoFont<'static>> {
@@ -132,6 +135,26 @@ fn every_font_has_the_pixels_of_embedded_graphics() {
             let text = Text::with_text_style(lines, position, style, layout);
             check(&text, window, &[1, 8, 71]).unwrap();
         }
+    }
+}
+
+/// A font whose image has no rows, and so many columns that they are no 32-bit number when rounded up to whole bytes, or that a few
+/// rows of bytes are none: it has no glyphs.
+#[test]
+fn fonts_with_images_of_all_columns_show_nothing() {
+    let area = Rectangle::new(Point::zero(), Size::new(20, 24));
+    for width in [1 << 31, u32::MAX - 7, u32::MAX] {
+        let font = wide_font(&[], width, Size::new(6, 20), 0);
+        let plain = MonoTextStyle::new(&font, TEXT);
+        let text = Text::with_baseline("~ ", Point::zero(), plain, Baseline::Top);
+        let drawn = picture(area, |band| {
+            let Ok(()) = text.draw_on(band);
+        });
+        assert!(drawn.iter().all(|color| *color == Rgb565::BLACK));
+        let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 40]);
+        let mut prepared = Picture::new(area, &mut slots, &mut pool, &mut []);
+        prepared.add(&text).unwrap();
+        assert!(in_bands(&mut prepared, area, &[1]).iter().all(|word| *word == 0));
     }
 }
 

@@ -1,14 +1,22 @@
 //! The pixels of a glyph, as bits of a font's image.
 
 use embedded_graphics::{
-    geometry::Point,
+    geometry::{OriginDimensions, Point},
     image::{GetPixel, ImageRaw},
+    mono_font::MonoFont,
     pixelcolor::BinaryColor,
 };
 
 /// The number of columns that are read from a glyph at once: a 32-bit word that begins at any bit of its first byte has
 /// at least 25 bits left, of which 24 are used.
 pub(in crate::draw) const COLUMNS: i64 = 24;
+
+/// Bits from a row of a font's image to the next one: the columns, rounded up to whole bytes. Rounded down where that is no 32-bit
+/// number, as in no font: a single row of its image would take 2^29 bytes.
+#[inline]
+pub(in crate::draw) fn bits_per_row(font: &MonoFont<'_>) -> u32 {
+    font.image.size().width.saturating_add(7) & !7
+}
 
 /// The bits of an image from index `bit` on, the first one in the highest bit of the result. At least [`COLUMNS`] of
 /// them are valid; bits beyond the last byte are 0.

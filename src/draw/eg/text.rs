@@ -15,7 +15,6 @@
 use core::{num::Wrapping, ops::Range};
 
 use embedded_graphics::{
-    geometry::OriginDimensions,
     mono_font::MonoTextStyle,
     pixelcolor::PixelColor,
     text::{DecorationColor, Text},
@@ -26,7 +25,7 @@ use crate::{
         DrawOn,
         eg::{
             font_glyphs::FontGlyphs,
-            glyph_bits::{COLUMNS, bits_from, pixels_from},
+            glyph_bits::{COLUMNS, bits_from, bits_per_row, pixels_from},
             image_bytes::with_bytes,
             text_lines::{Lines, lines},
         },
@@ -152,7 +151,7 @@ impl<C: PixelColor> Lines<'_, C> {
                 target,
                 window,
                 bytes,
-                bits_per_row: self.font.image.size().width.next_multiple_of(8) as usize,
+                bits_per_row: bits_per_row(self.font) as usize,
                 // Exact: the row is in the window, whose rows are 32-bit numbers.
                 first_row: (top + i64::from(rows.start)) as i32,
                 rows,

@@ -8,7 +8,7 @@
 use core::{hint::black_box, num::Wrapping};
 
 use embedded_graphics::{
-    geometry::Point,
+    geometry::{Point, Size},
     mono_font::{MonoFont, MonoTextStyle, MonoTextStyleBuilder},
     text::{Alignment, Baseline, DecorationColor, LineHeight, Text, TextStyleBuilder},
 };
@@ -19,7 +19,7 @@ use crate::{
         DrawOn,
         eg::{
             font_glyphs::FontGlyphs,
-            glyph_bits::{COLUMNS, bits_from, pixels_from},
+            glyph_bits::{COLUMNS, bits_from, bits_per_row, pixels_from},
             image_bytes::with_bytes,
             text_lines::Lines,
         },
@@ -69,14 +69,17 @@ impl<'a, C: BandColor, O: Order> Prepare<'a, C, O> for Text<'_, MonoTextStyle<'a
 }
 
 /// The box of the glyphs of a text that has one line and nothing but glyphs, where an extent and the columns that are
-/// read at once hold them.
+/// read at once hold them, and the bytes of a glyph's rows can be counted.
 fn glyph_box<C: BandColor>(lines: &Lines<'_, C>, text: &Text<'_, MonoTextStyle<'_, C>>) -> Option<Extent> {
     let style = &text.character_style;
     let is_plain = style.background_color.is_none()
         && matches!(style.underline_color, DecorationColor::None)
         && matches!(style.strikethrough_color, DecorationColor::None)
         && !text.text.bytes().any(|byte| matches!(byte, b'\n' | b'\r'));
-    if !is_plain || style.font.character_size.width > COLUMNS as u32 {
+    let Size { width, height } = style.font.character_size;
+    // A row of a glyph is found by counting the image's bytes in 32 bits.
+    let bytes = height.checked_mul(bits_per_row(style.font) / 8);
+    if !is_plain || width > COLUMNS as u32 || bytes.is_none() {
         return None;
     }
     Extent::of_whole(&lines.glyphs_of_one_line()?)
@@ -117,13 +120,6 @@ impl<C: BandColor, O: Order> PictureItem<C, O> for MonoFont<'_> {
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
         each_row(slot, band, |slot, row| self.draw_row(slot, pool, row));
     }
-}
-
-/// Bits from a row of the font's image to the next one.
-fn bits_per_row(font: &MonoFont<'_>) -> u32 {
-    use embedded_graphics::geometry::OriginDimensions;
-    // Not a multiple where the width is near the end of the number range: no image is.
-    font.image.size().width.saturating_add(7) & !7
 }
 
 /// Draws a row from an image whose bytes are not known, that many rows below the first one.
