@@ -493,3 +493,51 @@ fn texts_in_a_picture_are_replaced_and_moved() {
     let far = picture.translate(moved, Point::new(8_150, 0));
     assert_eq!(far, Err(InputError::OutOfDomain { min: -8190, max: 8190 }));
 }
+
+/// A font whose pen moves on by 2^24 pixels behind a space at the largest size.
+static FAR_FONT: OutlineFont = OutlineFont {
+    units_per_em: 1,
+    ranges: &[(' ', 1, 0)],
+    glyphs: &[glyph((0, 0), i16::MAX as u16, [0, 0, 0, 0])],
+    ascent: 1,
+    descent: 0,
+    ..FONT
+};
+
+/// The row 0 of a band of a picture that holds a text of so many spaces with a background, drawn where the picture's area begins.
+fn row_of_spaces(area: Rectangle, left: i32, spaces: usize) -> [u16; 8] {
+    let spaces = " ".repeat(spaces);
+    let style = OutlineTextStyle::new(&FAR_FONT, U24F8::from_num(16_384), Rgb565::YELLOW).on_background(Rgb565::BLUE);
+    let text = Text::with_baseline(&spaces, Point::new(left, 0), style, Baseline::Top);
+    let (mut slots, mut pool, mut areas) = ([PictureSlot::EMPTY; 1], [0; 128], [Window::EMPTY; 2]);
+    let mut memory = AntialiasingMemory::<9, 1, 1>::new();
+    let mut picture = Picture::<Rgb565>::new(area, &mut slots, &mut pool, &mut [])
+        .with_antialiasing(&mut memory)
+        .with_damage(&mut areas, (1, 1));
+    picture.add(&text).unwrap();
+    // Whatever has changed is made ready to be drawn with its first columns.
+    assert_eq!(picture.next_damage(), Some(area));
+    let mut words = [0; 8];
+    picture.draw(&mut Band::new(Rectangle::new(area.top_left, Size::new(8, 1)), &mut words).unwrap());
+    words
+}
+
+/// From the band's first column to the background's last one there are more columns than 31 bits tell.
+#[test]
+fn a_band_far_left_of_a_long_background_shows_nothing() {
+    let left = -(1 << 30);
+    let area = Rectangle::new(Point::new(left, 0), Size::new((1 << 30) + 100, 1));
+    assert_eq!(row_of_spaces(area, 0, 70), [0; 8]);
+}
+
+/// A line that begins farther to the left than a picture keeps: its background reaches as far as it does without a picture.
+#[test]
+fn the_background_of_a_line_from_far_left_ends_where_it_should() {
+    let area = Rectangle::new(Point::new(580, 0), Size::new(8, 1));
+    let blue = Rgb565::BLUE.into_storage();
+    // 96 spaces of 16,776,704 pixels.
+    assert_eq!(
+        row_of_spaces(area, -1_610_563_000, 96),
+        [blue, blue, blue, blue, 0, 0, 0, 0]
+    );
+}

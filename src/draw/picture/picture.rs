@@ -202,6 +202,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// [`Antialiased`](crate::draw::Antialiased) style and `Text` in a font of outlines. What else is drawn is a [`PictureItem`]
     /// instead. Cost: what its first row takes, and a copy.
     ///
+    /// Of a line of text that begins 2^30 or more columns away from column 0, no glyph is drawn: only in a font of outlines with
+    /// few units per em, at a size of thousands of pixels, could one be in the picture.
+    ///
     /// Polygons and paths have the pixels of their prepared forms, fill and stroke, without tables: the fill takes 12 bytes of the
     /// pool, for each y-monotone chain of its edges 4 bytes and 4 for each corner (8 where one is more than 32,767 units from the first
     /// one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 40 bytes and 8 for each vertex; one of one

@@ -6,6 +6,8 @@
 //!
 //! A glyph is its index in the upper half of a word, and in the lower one how far the pen moves on behind it.
 
+use core::ops::RangeInclusive;
+
 use embedded_graphics::{geometry::Point, mono_font::DecorationDimensions, text::Text};
 
 use crate::{
@@ -26,12 +28,13 @@ const BACKGROUND: u32 = 2;
 const STRIKETHROUGH: u32 = 4;
 const UNDERLINE: u32 = 8;
 
-/// The farthest that a line begins from column or row 0. No line is so long that more of it would be in a picture's columns.
-const FARTHEST: i64 = 1 << 30;
+/// The columns and rows in which a line can begin and end: none of them is 2^31 or more columns from the first one of a band, which
+/// is within them. No line has so many rows that one which begins above them would be seen.
+const NEAR: RangeInclusive<i64> = -(1 << 30)..=(1 << 30) - 1;
 
-/// A position within [`FARTHEST`].
+/// The column or row of [`NEAR`] that is nearest to a number.
 fn near(number: i64) -> i32 {
-    number.clamp(-FARTHEST, FARTHEST) as i32
+    number.clamp(*NEAR.start(), *NEAR.end()) as i32
 }
 
 /// Writes a text, and returns the box around it.
@@ -61,14 +64,18 @@ pub(super) fn push<C: ChannelColor, O: Order, S: LineStyle<Color = C>>(
     bounds
 }
 
-/// Writes a line, and returns its box.
+/// Writes a line, and returns its box. Of one that begins outside of the columns that are [`NEAR`], the background and the
+/// decorations are kept, as far as they are near, and no glyph: it takes 64 glyphs or more, each of which is millions of pixels wide,
+/// to reach a picture from there.
 fn push_line(line: &Line<'_>, font: impl LineFont, extent: i64, payload: &mut Payload<'_>) -> Window {
     let columns = line.columns(font);
-    payload.push_signed(near(line.left));
+    let [left, next] = [line.left, columns.next].map(near);
+    payload.push_signed(left);
     payload.push_signed(near(line.top));
-    payload.push_signed(near(columns.next - line.left));
-    payload.push(line.glyphs(font).count() as u32);
-    for glyph in line.glyphs(font) {
+    payload.push_signed(next - left);
+    let glyphs = || line.glyphs(font).take_while(|_| NEAR.contains(&line.left));
+    payload.push(glyphs().count() as u32);
+    for glyph in glyphs() {
         payload.push(u32::from(glyph.index) << 16 | (glyph.step as u32 & 0xffff));
     }
     Window {
@@ -94,7 +101,7 @@ pub(super) fn translate(words: &mut [u32], by: Point) {
     let mut rest = words.get_mut(colors..).unwrap_or_default();
     while let [left, top, _, glyphs, behind @ ..] = rest {
         for (position, by) in [(left, by.x), (top, by.y)] {
-            // A text without pixels may be moved anywhere.
+            // A line without pixels may lie far from those that have some, at the ends of [`NEAR`], and stays between them.
             *position = near(i64::from(*position as i32) + i64::from(by)) as u32;
         }
         rest = behind.get_mut(*glyphs as usize..).unwrap_or_default();
