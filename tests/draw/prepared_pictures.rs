@@ -1,10 +1,13 @@
 //! Prepared pictures against the same items drawn one after the other into a whole frame: in bands of any height and
 //! order, after changes, and with memory of every size.
 
-use embedded_graphics::{prelude::*, primitives::Rectangle};
+use std::{cell::Cell, ops::Range};
+
+use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use proptest::prelude::*;
 use zrow::{
-    draw::ItemId,
+    band::{Band, Target},
+    draw::{ItemId, Picture, PictureItem, PictureSlot},
     geometry::{InputError, TooSmall, Window},
 };
 
@@ -196,6 +199,51 @@ proptest! {
                 }
                 Some(other) => prop_assert!(false, "{other:?}"),
             }
+        }
+    }
+}
+
+/// An item that counts the bands that it is asked to draw into, and finds its rows in each.
+struct Watched {
+    rows: Range<i32>,
+    bands: Cell<u32>,
+}
+
+impl PictureItem<Rgb565> for Watched {
+    fn bounds(&self) -> Window {
+        Window {
+            left: 0,
+            top: self.rows.start,
+            right: 8,
+            bottom: self.rows.end,
+        }
+    }
+
+    fn draw(&self, band: &mut Band<'_, Rgb565>) {
+        let window = band.window();
+        assert!(
+            window.top < self.rows.end && self.rows.start < window.bottom,
+            "{window:?}"
+        );
+        self.bands.set(self.bands.get() + 1);
+    }
+}
+
+/// An item of a program's own is drawn into bands that meet its rows, and into no others, however many rows a bucket has.
+#[test]
+fn items_are_asked_for_bands_that_meet_their_rows_alone() {
+    let area = Rectangle::new(Point::zero(), Size::new(8, 32));
+    for buckets in [0, 1, 3, 8, 32] {
+        for (height, bands) in [(1, 7), (2, 4), (5, 2)] {
+            let watched = Watched {
+                rows: 13..20,
+                bands: Cell::new(0),
+            };
+            let (mut slots, mut buckets) = ([PictureSlot::EMPTY; 1], vec![0; buckets]);
+            let mut picture = Picture::<Rgb565>::new(area, &mut slots, &mut [], &mut buckets);
+            picture.add_item(&watched).unwrap();
+            in_bands(&mut picture, area, &[height]);
+            assert_eq!(watched.bands.get(), bands);
         }
     }
 }

@@ -157,7 +157,10 @@ pub trait PictureItem<C: BandColor, O: Order = LittleEndian> {
     /// Draws the rows that the band has, from the cursor's row on, and moves the cursor behind them.
     #[doc(hidden)]
     fn draw_rows(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, band: &mut Band<'_, C, O>) {
-        self.draw_row(slot, pool, band);
+        // An item may begin below the band, in the bucket of its rows.
+        if !slot.extent.rows(&band.window()).is_empty() {
+            self.draw_row(slot, pool, band);
+        }
     }
 }
 
