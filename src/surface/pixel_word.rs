@@ -9,8 +9,6 @@ use embedded_graphics::pixelcolor::{
     raw::{BigEndian, LittleEndian, RawData, RawU1, RawU2, RawU4, RawU8, RawU16, RawU24},
 };
 
-use crate::geometry::HAS_DIVIDER;
-
 // Seals what words a colour may have, and is not re-exported.
 /// The word of one pixel: `u8`, `u16` or `u32`.
 ///
@@ -347,37 +345,15 @@ pub(crate) fn not_constant<W: PixelWord>(word: W) -> W {
 /// Fills words in blocks, each half as long as the one before it.
 #[inline(always)]
 fn fill_words(words: &mut [u32], word: u32) {
-    // The last block overlaps what is filled already: that takes less than sorting out the remainder.
-    if let Some(last) = last_block_mut(words) {
-        *last = [word; 16];
-        let mut rest = words;
-        while fill_block::<64, u32>(&mut rest, word) {}
-        // No loops from here on, which the compiler would unroll once more.
-        fill_block::<32, u32>(&mut rest, word);
-        fill_block::<16, u32>(&mut rest, word);
-    } else if let Some(first) = words.first_chunk_mut::<8>() {
-        *first = [word; 8];
-        if let Some(last) = words.last_chunk_mut::<8>() {
-            *last = [word; 8];
-        }
-    } else {
-        let mut rest = words;
-        fill_block::<4, u32>(&mut rest, word);
-        fill_block::<2, u32>(&mut rest, word);
-        fill_block::<1, u32>(&mut rest, word);
-    }
-}
-
-/// The last 16 words, if there are so many.
-#[inline(always)]
-fn last_block_mut(words: &mut [u32]) -> Option<&mut [u32; 16]> {
-    if HAS_DIVIDER {
-        return words.last_chunk_mut();
-    }
-    // A Cortex-M0+ has no offsets below an address: the compiler, which would count from the end, would compute an address for
-    // each store.
-    let start = black_box(words.len().checked_sub(16)?);
-    words.get_mut(start..)?.first_chunk_mut()
+    let mut rest = words;
+    while fill_block::<64, u32>(&mut rest, word) {}
+    // No loops from here on, which the compiler would unroll once more.
+    fill_block::<32, u32>(&mut rest, word);
+    fill_block::<16, u32>(&mut rest, word);
+    fill_block::<8, u32>(&mut rest, word);
+    fill_block::<4, u32>(&mut rest, word);
+    fill_block::<2, u32>(&mut rest, word);
+    fill_block::<1, u32>(&mut rest, word);
 }
 
 /// Runs of up to twice as many pixels are written as two blocks, which may overlap: that takes less than finding whole
