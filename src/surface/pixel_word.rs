@@ -25,7 +25,7 @@ pub trait PixelWord: Pod + Eq + core::fmt::Debug + sealed::Sealed {
     #[must_use]
     fn to_little_endian(self) -> Self;
 
-    /// Writes the word into every pixel of a run. Cost: about one store for 8 bytes.
+    /// Writes the word into every pixel of a run. Cost: about one store for 4 bytes.
     fn fill(words: &mut [Self], word: Self);
 
     /// The word as often as 32 bits hold it.
