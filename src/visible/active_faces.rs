@@ -446,7 +446,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
                 } else if begins_inside {
                     row.fill_span(start, end, face.word);
                 } else {
-                    row.fill_cut_span(start, end, face.word);
+                    row.fill_cut_span(start, end, O::reorder(face.word));
                 }
                 faces.count().filled(pixels_within(row.words.len(), start, end));
             }

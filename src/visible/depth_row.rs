@@ -226,7 +226,7 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         }
     }
 
-    /// Fills the part of a span that is inside the row.
+    /// Fills the part of a span that is inside the row. The word is in the band's byte order.
     #[cold]
     #[inline(never)]
     pub(super) fn fill_cut_span(&mut self, start: i32, end: i32, word: C::Word) {

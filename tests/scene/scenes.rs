@@ -12,6 +12,7 @@ mod snapped_faces;
 mod affine_maps;
 mod antialiased;
 mod bounds;
+mod byte_orders;
 mod cameras;
 mod clipped_faces;
 mod coherence;
