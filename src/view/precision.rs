@@ -253,8 +253,10 @@ impl EdgeSum for i32 {
 
     #[inline]
     fn new(column: i32, error_term: i32) -> Self {
-        // For 16 bits equal to `column << 16 | !error_term & 0xffff`, for 0 <= error_term < 2^15.
-        (column << Self::FRACTION_BITS) + ((1 << Self::FRACTION_BITS) - 1) - (error_term << SPARE_BITS)
+        // For 16 bits equal to `column << 16 | !error_term & 0xffff`, for 0 <= error_term < 2^15. A level edge has any error
+        // term, and crosses no row: in the last column of the domain its sum may wrap.
+        let before = (column << Self::FRACTION_BITS) + ((1 << Self::FRACTION_BITS) - 1);
+        (Wrapping(before) - Wrapping(error_term << SPARE_BITS)).0
     }
 
     #[inline]

@@ -43,10 +43,10 @@ impl<S: ScreenPrecision> Edge<S> {
     };
 
     /// The edge at a row that it crosses, from its top. `size` is from there to its bottom. An edge that crosses no row
-    /// gives some edge.
+    /// gives some edge, whose sum may wrap.
     ///
-    /// No product exceeds 2^31: with 1/256 pixel, differences are at most 2 * 8191 * 256, and times 2 * 255 that is
-    /// 2,138,833,920; with 1/16 pixel everything is smaller.
+    /// No product, and no sum of two, reaches 2^31: with 1/256 pixel, differences are at most 2 * 8191 * 256, and times 2 * 255
+    /// that is 2,138,833,920; with 1/16 pixel it is less.
     ///
     /// `IN_LINE` is for edges that many faces have.
     // Always: with `inline` alone a frame of the torus and cube takes 2.7 % more instructions, 3.8 % more cycles (Cortex-M0+).

@@ -5,12 +5,12 @@ use embedded_graphics::{
     prelude::*,
     primitives::Rectangle,
 };
-use fixed::types::{I12F4, I16F16, U0F16};
+use fixed::types::{I8F24, I12F4, I16F16, U0F16};
 use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{FixedPointWindow, InputError, Sub4, Sub8, SubPixel, SubPoint, Window},
-    scene::{Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Look, Memory, Model, Pose, Rotation},
+    scene::{Affine, Camera, Deep, DepthWidth, FaceSet, Fine, Look, Memory, Model, Orthographic, Pose, Rotation},
     shade::{LinearGradient, Paint, RadialGradient, Ramp, Transformed},
 };
 
@@ -234,4 +234,27 @@ fn edges_that_end_far_above_the_viewport_are_skipped() {
     let mut words = [0; 24 * 16];
     let mut prepared = memory.prepare(&camera, &models).unwrap();
     prepared.draw(&mut Band::<Rgb888>::new(area, &mut words).unwrap());
+}
+
+/// A level edge in the last columns of the domain, in rows that begin in the first one.
+#[test]
+fn a_level_edge_at_the_right_end_of_the_domain_is_set_up() {
+    let area = Rectangle::new(Point::new(-1024, 0), Size::new(2047, 200));
+    let camera = Camera::new(area, I16F16::from_num(50))
+        .and_then(|camera| camera.with_scale(I8F24::from_num(1.0 / 16.0)))
+        .unwrap();
+    let vertices = [[16_352, 1_591, 100], [16_367, 1_591, 100], [16_352, -9, 100]];
+    let mesh = FaceSet::new(&vertices, &[[0, 1, 2]]).unwrap();
+    let models = [Model::new(mesh, &[Rgb565::RED]).unwrap()];
+    let mut memory = Memory::<Orthographic<Rgb565>, 3, 1, 2047, 200>::new();
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
+    let mut words = vec![0; 2047 * 200];
+    prepared.draw(&mut Band::<Rgb565>::new(area, &mut words).unwrap());
+    let covered: Vec<_> = (0..words.len())
+        .filter(|&index| words[index] != 0)
+        .map(|index| [index % 2047, index / 2047])
+        .collect();
+    // The left side goes through the centres of one column, from just below the first row on.
+    let expected: Vec<_> = (1..=100).map(|row| [2045, row]).collect();
+    assert_eq!(covered, expected);
 }
