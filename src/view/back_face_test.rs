@@ -30,6 +30,8 @@
 //! Source: back faces by their planes as in Roberts (1963), "Machine perception of three-dimensional solids", with the eye in
 //! object space as in Blinn (1993), "Backface culling snags", IEEE Computer Graphics and Applications 13(6).
 
+use core::num::Wrapping;
+
 use crate::view::{DepthWidth, EyeTransform, Projection, ScreenPrecision, ToEye};
 
 /// What the planes of a model's faces are compared with in a frame.
@@ -59,9 +61,12 @@ impl BackFaceTest {
     /// Whether a face is turned away for certain: its normal and its offset. Cost: four multiplications.
     #[inline(always)]
     pub(crate) fn is_turned_away(&self, [x, y, z, offset]: [i16; 4]) -> bool {
-        let ([x, y, z], [eye_x, eye_y, eye_z]) = ([x, y, z].map(i32::from), self.eye);
-        // Three products of 13 and 15 bits, and an offset that is a product of the same sizes.
-        x * eye_x + y * eye_y + z * eye_z - i32::from(offset) * self.per_offset < self.limit
+        let [x, y, z, offset] = [x, y, z, offset].map(|number| Wrapping(i32::from(number)));
+        let [eye_x, eye_y, eye_z] = self.eye.map(Wrapping);
+        // Three products of 13 and 15 bits, and an offset that stands for three more: the planes of a mesh do not wrap. Those of
+        // another one may leave any faces out.
+        let distance = x * eye_x + y * eye_y + z * eye_z - offset * Wrapping(self.per_offset);
+        distance.0 < self.limit
     }
 
     /// The test with a limit of 64 bits, which is positive; `None` where nothing may be below it.

@@ -484,3 +484,28 @@ fn a_table_that_is_too_short_is_an_error() {
     let model = Model::<WithPlanes<Rgb888>>::with_skin(mesh.face_set(), (&colors, planes));
     assert_eq!(model.err(), Some(TooSmall::Normals(12)));
 }
+
+const TRIANGLE: [[i16; 3]; 3] = [[-100, -100, 0], [0, 100, 0], [100, -100, 0]];
+const BOTH_SIDES: [[u16; 3]; 2] = [[0, 1, 2], [0, 2, 1]];
+
+/// A table of the greatest numbers, which no mesh has: the face may be missing.
+#[test]
+fn a_foreign_table_of_planes_is_no_error() {
+    let mesh = FaceSet::new(&TRIANGLE, &BOTH_SIDES[..1]).unwrap();
+    for table in [
+        [[32_767, 32_767, -32_768, 0]],
+        [[-32_768, -32_768, 32_767, 32_767]],
+        [[i16::MIN; 4]],
+        [[i16::MAX; 4]],
+    ] {
+        let planes = FacePlanes::new(&mesh, &table).unwrap();
+        for position in [at(-1_000, -1_000, 1_000), at(1_000, 1_000, 1_000), at(0, 0, 30_000)] {
+            let models = [Model::<WithPlanes<Rgb888>>::with_skin(mesh, (&[Rgb888::RED], planes))
+                .unwrap()
+                .with_pose(Pose::new(Rotation::IDENTITY, position))];
+            let mut memory = Memory::<Planed, 3, 1, 64, 48>::new();
+            let counters = memory.prepare(&small_camera(), &models).unwrap().counters();
+            assert!(counters.faces_culled <= 1);
+        }
+    }
+}
