@@ -151,8 +151,28 @@ fn transform_late<L: Look>(index: usize, model: &Model<'_, L::Shading>, camera: 
 
 /// The number of vertices that were not transformed because only faces have them that are turned away. Models that were left
 /// out as a whole do not count.
-pub(super) fn vertices_not_transformed<L: Look>(vertices: &[ScreenVertexOf<L>]) -> u32 {
-    vertices.iter().filter(|vertex| is_not_transformed::<L>(vertex)).count() as u32
+pub(super) fn vertices_not_transformed<L: Look>(
+    vertices: &[ScreenVertexOf<L>],
+    models: &[Model<'_, L::Shading>],
+) -> u32 {
+    let of_models = prepared_models::<L>(vertices, models);
+    of_models
+        .map(|(_, vertices)| vertices.iter().filter(|vertex| is_not_transformed::<L>(vertex)).count())
+        .sum::<usize>() as u32
+}
+
+/// The models that were not left out as a whole, each with its vertices on the screen.
+fn prepared_models<'m, 'a, L: Look>(
+    vertices: &'m [ScreenVertexOf<L>],
+    models: &'m [Model<'a, L::Shading>],
+) -> impl Iterator<Item = (&'m Model<'a, L::Shading>, &'m [ScreenVertexOf<L>])> {
+    let mut first_vertex = 0;
+    models.iter().filter_map(move |model| {
+        let first = first_vertex;
+        first_vertex += model.mesh().vertices().len();
+        let of_model = vertices.get(first..first_vertex).unwrap_or_default();
+        (!is_left_out::<L>(vertices, first)).then_some((model, of_model))
+    })
 }
 
 /// The number of faces that were left out because the eye is behind their planes. Asks each plane of the models once more, for

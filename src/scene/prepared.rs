@@ -658,9 +658,7 @@ impl<L: Look<Counting = Cell<Counters>>> Prepared<'_, '_, L> {
             faces_culled: faces - whole - cut,
             faces_culled_by_bounds: faces_left_out::<L>(self.faces.vertices, self.faces.models),
             faces_culled_by_planes: faces_culled::<L>(self.faces.vertices, self.faces.models, &self.faces.camera),
-            vertices_not_transformed: vertices_not_transformed::<L>(
-                self.faces.vertices.get(..self.fragments.start).unwrap_or_default(),
-            ),
+            vertices_not_transformed: vertices_not_transformed::<L>(self.faces.vertices, self.faces.models),
             faces_cut: cut,
             rows_without_depth: self.rows_without_depth(),
             rows_in_passes: self.rows_in_passes(),

@@ -509,3 +509,25 @@ fn a_foreign_table_of_planes_is_no_error() {
         }
     }
 }
+
+/// Marks that a frame before left in the table do not count for a model that is left out as a whole.
+#[test]
+fn vertices_of_a_model_beside_the_picture_do_not_count() {
+    type Both = Bounded<WithPlanes<Rgb888>>;
+    let mesh = meshes::icosphere(1.4);
+    let mut table = vec![[0; 4]; mesh.faces.len()];
+    let planes = FacePlanes::find_in(&mesh.face_set(), &mut table).unwrap();
+    let colors = vec![Rgb888::RED; mesh.faces.len()];
+    let skin = ((&colors[..], planes), BoundingBox::around(&mesh.vertices));
+    let model = Model::<Both>::with_skin(mesh.face_set(), skin).unwrap();
+    let mut memory = Box::new(Memory::<Counted<Both>, 200, 400, 64, 48>::new());
+    let mut not_transformed = |position| {
+        let models = [model.with_pose(Pose::new(Rotation::IDENTITY, position))];
+        let prepared = memory.prepare(&small_camera(), &models).unwrap();
+        let counters = prepared.counters();
+        [counters.vertices_not_transformed, counters.faces_culled_by_bounds]
+    };
+    let [seen, none] = not_transformed(at(0, 0, 1_500));
+    assert!(seen > 75 && none == 0, "{seen} vertices, {none} faces");
+    assert_eq!(not_transformed(at(0, 0, -5_000)), [0, 320]);
+}
