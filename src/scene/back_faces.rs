@@ -10,6 +10,7 @@ use crate::{
         Look, Model,
         culling::is_left_out,
         lens::{ProjectionOf, ScreenVertexOf, on_screen, projection},
+        off_screen::is_outside,
         seen_vertices::SeenVertices,
     },
     shade::Shading,
@@ -28,7 +29,8 @@ pub(super) const fn culls_by_planes<L: Look>() -> bool {
 const NOT_TRANSFORMED: i32 = -2;
 
 /// Transforms the vertices of a model that its faces need which are not turned away for certain, and marks the other vertices
-/// and faces. `false` where all vertices are to be transformed, because some may be off the screen; then no face is marked.
+/// and faces. `false` where all vertices are to be transformed, because some may be off the screen, or one of them is that has
+/// moved since the planes were found; then no face is marked.
 ///
 /// `next` has an entry for each face, from the model's first on, whose index is that of the face among those of all models.
 #[inline(never)]
@@ -46,7 +48,7 @@ pub(super) fn transform_seen<L: Look>(
     };
     let mut seen = SeenVertices::none();
     let mut node = first_face as u16;
-    for ((face, plane), next) in mesh.faces().iter().zip(planes).zip(next) {
+    for ((face, plane), next) in mesh.faces().iter().zip(planes).zip(&mut *next) {
         if test.is_turned_away(*plane) {
             *next = node;
         } else {
@@ -56,11 +58,14 @@ pub(super) fn transform_seen<L: Look>(
         // Fewer than 2^15 faces have nodes, and one after the last may have any number.
         node = node.wrapping_add(1);
     }
-    transform_marked::<L>(projection, transform, mesh.vertices(), slots, &seen);
-    true
+    let are_inside = transform_marked::<L>(projection, transform, mesh.vertices(), slots, &seen);
+    if !are_inside {
+        next.fill(NONE);
+    }
+    are_inside
 }
 
-/// Transforms the vertices that are marked, all of which are on the screen.
+/// Transforms the vertices that are marked, up to one that is off the screen: then the result is `false`.
 // Not inlined: the loop needs every register.
 #[inline(never)]
 fn transform_marked<L: Look>(
@@ -69,7 +74,7 @@ fn transform_marked<L: Look>(
     vertices: &[[i16; 3]],
     slots: &mut [ScreenVertexOf<L>],
     seen: &SeenVertices,
-) {
+) -> bool {
     let left_out = not_transformed::<L>();
     let mut bits = 0;
     for (index, (vertex, slot)) in vertices.iter().zip(slots).enumerate() {
@@ -78,13 +83,14 @@ fn transform_marked<L: Look>(
         }
         *slot = if bits & 1 == 0 {
             left_out
+        } else if let Some(found) = on_screen::<L>(projection, transform.apply(*vertex)) {
+            found
         } else {
-            let found = on_screen::<L>(projection, transform.apply(*vertex));
-            debug_assert!(found.is_some(), "a vertex inside of bounds on the screen");
-            found.unwrap_or(left_out)
+            return false;
         };
         bits >>= 1;
     }
+    true
 }
 
 /// The test for the faces of a model, and their planes.
@@ -149,18 +155,6 @@ fn transform_late<L: Look>(index: usize, model: &Model<'_, L::Shading>, camera: 
     on_screen::<L>(&projection::<L>(camera), transform.apply(vertex)).unwrap_or(not_transformed::<L>())
 }
 
-/// The number of vertices that were not transformed because only faces have them that are turned away. Models that were left
-/// out as a whole do not count.
-pub(super) fn vertices_not_transformed<L: Look>(
-    vertices: &[ScreenVertexOf<L>],
-    models: &[Model<'_, L::Shading>],
-) -> u32 {
-    let of_models = prepared_models::<L>(vertices, models);
-    of_models
-        .map(|(_, vertices)| vertices.iter().filter(|vertex| is_not_transformed::<L>(vertex)).count())
-        .sum::<usize>() as u32
-}
-
 /// The models that were not left out as a whole, each with its vertices on the screen.
 fn prepared_models<'m, 'a, L: Look>(
     vertices: &'m [ScreenVertexOf<L>],
@@ -175,6 +169,18 @@ fn prepared_models<'m, 'a, L: Look>(
     })
 }
 
+/// The number of vertices that were not transformed because only faces have them that are turned away. Models that were left
+/// out as a whole do not count.
+pub(super) fn vertices_not_transformed<L: Look>(
+    vertices: &[ScreenVertexOf<L>],
+    models: &[Model<'_, L::Shading>],
+) -> u32 {
+    let of_models = prepared_models::<L>(vertices, models);
+    of_models
+        .map(|(_, vertices)| vertices.iter().filter(|vertex| is_not_transformed::<L>(vertex)).count())
+        .sum::<usize>() as u32
+}
+
 /// The number of faces that were left out because the eye is behind their planes. Asks each plane of the models once more, for
 /// looks that count.
 pub(super) fn faces_culled<L: Look>(
@@ -186,11 +192,12 @@ pub(super) fn faces_culled<L: Look>(
         return 0;
     }
     let projection = projection::<L>(camera);
-    let mut first_vertex = 0;
-    let of_model = models.iter().map(|model| {
-        let is_left_out = is_left_out::<L>(vertices, first_vertex);
-        first_vertex += model.mesh().vertices().len();
-        if is_left_out {
+    let of_model = prepared_models::<L>(vertices, models).map(|(model, vertices)| {
+        // With a vertex off the screen a model was prepared as without planes.
+        if vertices
+            .iter()
+            .any(|vertex| is_outside(vertex) && !is_not_transformed::<L>(vertex))
+        {
             return 0;
         }
         let transform = EyeTransform::new(&model.pose, camera.pose());

@@ -510,6 +510,33 @@ fn a_foreign_table_of_planes_is_no_error() {
     }
 }
 
+/// A vertex that has moved before the near plane since the planes were found: the model is prepared as without planes.
+#[test]
+fn a_model_that_has_left_the_box_of_its_planes_is_drawn_without_them() {
+    type Plain = Counted<Fine<Rgb888>>;
+    type WithTable = Counted<Fine<WithPlanes<Rgb888>>>;
+    let mesh = FaceSet::new(&TRIANGLE, &BOTH_SIDES).unwrap();
+    let table = FacePlanes::find(&TRIANGLE, &BOTH_SIDES);
+    let planes = FacePlanes::new(&mesh, &table).unwrap();
+    let mut vertices = TRIANGLE;
+    vertices[2][2] = -950;
+    let moved = FaceSet::new(&vertices, &BOTH_SIDES).unwrap();
+    let pose = Pose::new(Rotation::IDENTITY, at(0, 0, 1_000));
+    let colors = [Rgb888::RED, Rgb888::GREEN];
+    let plain = [Model::new(moved, &colors).unwrap().with_pose(pose)];
+    let planed = [Model::<WithPlanes<Rgb888>>::with_skin(moved, (&colors, planes))
+        .unwrap()
+        .with_pose(pose)];
+    let (expected, _) = seen::<Plain>(&plain, &small_camera()).unwrap();
+    let (found, counters) = seen::<WithTable>(&planed, &small_camera()).unwrap();
+    assert!(expected.words.iter().any(|word| *word != 0));
+    assert_eq!(found, expected);
+    assert_eq!(
+        (counters.faces_culled_by_planes, counters.vertices_not_transformed),
+        (0, 0)
+    );
+}
+
 /// Marks that a frame before left in the table do not count for a model that is left out as a whole.
 #[test]
 fn vertices_of_a_model_beside_the_picture_do_not_count() {
