@@ -7,7 +7,10 @@
 //!
 //! Cost: a look at each face that is to be drawn, or at every fourth one where there are many, and at each row.
 
-use core::{borrow::Borrow, num::NonZeroU32};
+use core::{
+    borrow::Borrow,
+    num::{NonZeroU32, Wrapping},
+};
 
 use crate::{
     clip::convex::CutAttributes,
@@ -199,10 +202,10 @@ impl<L: Look> PreparedFaces<'_, '_, L> {
         let edges = edges.map(|edge| edge << L::Precision::FRACTION_BITS);
         let first_faces = self.first_faces.len();
         let are_many = first_faces > MANY;
-        let (mut crossing, mut faces) = (0, 0);
+        let (mut crossing, mut faces) = (Wrapping(0), 0);
         for row in self.rows.iter().take(viewport.height() as usize) {
             crossing += row.change();
-            let active = crossing as u32;
+            let active = u32::from(crossing.0);
             work.busy_rows += u32::from(active > 0);
             add(&mut work.spans, active);
             if may_be_untested::<L>() && active as usize <= FEW {

@@ -1,5 +1,7 @@
 //! The memory of a scene as a frame uses it: slices, whatever the capacities.
 
+use core::num::Wrapping;
+
 use crate::{
     scene::{Look, silhouette_tables::SilhouetteTables, stored_attributes::StoredAttributes},
     shade::Shading,
@@ -73,15 +75,18 @@ pub(super) struct Tables<'m, L: Look> {
 }
 
 /// A bucket: which faces begin and end in a row of the viewport. The lower half is the bucket head, the first of the
-/// nodes that begin in the row; the upper half is how many more faces cross the row than the row before. Both in one
-/// integer, because both change at once.
+/// nodes that begin in the row; the upper half is how many more faces cross the row than the row before, modulo 2^16. Both
+/// in one integer, because both change at once.
+///
+/// At most 32,767 whole faces and 8,191 fragments, of four vertices each, fit the tables: how many cross a row is below 2^16,
+/// though it may change by more than a signed number of 16 bits holds.
 #[derive(Debug, Copy, Clone)]
 pub(super) struct RowStart(u32);
 
 impl RowStart {
     pub(super) const ZERO: Self = Self(0);
     const NOTHING: Self = Self(NONE as u32);
-    /// One face in the upper half. Fewer than 32,768 nodes fit the tables, so their count fits.
+    /// One face in the upper half.
     const FACE: u32 = 1 << 16;
 
     #[inline]
@@ -89,35 +94,51 @@ impl RowStart {
         self.0 as u16
     }
 
+    /// How many more faces cross the row than the row before.
     #[inline]
-    pub(super) fn change(self) -> i32 {
-        self.0 as i32 >> 16
+    pub(super) fn change(self) -> Wrapping<u16> {
+        Wrapping((self.0 >> 16) as u16)
     }
 
     /// Makes a node the bucket head, and returns the previous head.
     #[inline]
     pub(super) fn begin(&mut self, node: u16) -> u16 {
         let Self(before) = *self;
-        // The count in the upper half is signed, and so modulo 2^16.
         self.0 = (before.wrapping_add(Self::FACE) & 0xffff_0000) | u32::from(node);
         before as u16
     }
 
     /// The most faces that cross one of the rows of a viewport.
     pub(super) fn most_active(rows: &[Self]) -> usize {
-        let mut active = 0i32;
+        let mut active = Wrapping(0);
         let mut most = 0;
         for row in rows {
-            active += row.change();
-            most = most.max(active);
+            // As a signed number: where a change does not fit one, a count is negative and so a huge number, or it is too great.
+            active += Wrapping((row.0 as i32 >> 16) as u32);
+            most = most.max(active.0);
         }
-        most as usize
+        match u16::try_from(most) {
+            Ok(most) => most.into(),
+            Err(_) => Self::most_active_of_many(rows),
+        }
+    }
+
+    /// The most faces that cross one of the rows of a viewport, of which more than 32,767 may begin in one row.
+    #[cold]
+    #[inline(never)]
+    fn most_active_of_many(rows: &[Self]) -> usize {
+        let mut active = Wrapping(0);
+        let counts = rows.iter().map(|row| {
+            active += row.change();
+            active.0
+        });
+        counts.max().unwrap_or(0).into()
     }
 
     /// Counts a node that ends in the row above.
     #[inline]
     pub(super) fn end(&mut self) {
-        // Where more nodes end than begin, the count is negative: modulo 2^16.
+        // More nodes may end than begin.
         self.0 = self.0.wrapping_sub(Self::FACE);
     }
 }

@@ -1,7 +1,7 @@
 //! The faces of a prepared frame, by the row in which they begin: how they are drawn, each looked up with its corners and its
 //! colour when that row comes.
 
-use core::{cell::Cell, fmt};
+use core::{cell::Cell, fmt, num::Wrapping};
 
 use embedded_graphics::geometry::Point;
 
@@ -340,9 +340,9 @@ impl<'m, L: Look> FaceTable<L::Precision, L::Depth, L::Shading> for PreparedFace
         &self.viewport
     }
 
-    fn change(&self, row: i32) -> i32 {
+    fn change(&self, row: i32) -> Wrapping<u16> {
         let row = offset_from(self.viewport.top, row) as usize;
-        self.rows.get(row).map_or(0, |row| row.change())
+        self.rows.get(row).map_or(Wrapping(0), |row| row.change())
     }
 
     fn first_in_row(&self, row: i32) -> u16 {

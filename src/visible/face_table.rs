@@ -1,6 +1,6 @@
 //! The faces of a prepared frame as the row loop reads them: by their first row, each with its corners and its colour.
 
-use core::borrow::Borrow;
+use core::{borrow::Borrow, num::Wrapping};
 
 use embedded_graphics::geometry::Point;
 
@@ -40,8 +40,8 @@ pub trait FaceTable<S: ScreenPrecision, D: DepthWidth, H: Shading> {
     fn count(&self) -> Self::Count<'_>;
     /// The pixels that the frame was prepared for.
     fn viewport(&self) -> &Window;
-    /// How many more faces cross a row of the viewport than the row above it.
-    fn change(&self, row: i32) -> i32;
+    /// How many more faces cross a row of the viewport than the row above it, modulo 2^16: fewer cross any row.
+    fn change(&self, row: i32) -> Wrapping<u16>;
     /// First of the faces that begin in a row, or [`NONE`].
     fn first_in_row(&self, row: i32) -> u16;
     /// The face after a node that begins in the same row, or [`NONE`].

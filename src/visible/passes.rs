@@ -11,6 +11,8 @@
 //!
 //! Guarantees: each face that crosses a row comes once, and of equally near fragments the picture has the first one.
 
+use core::num::Wrapping;
+
 use crate::{
     shade::{Planes, Shading},
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
@@ -34,7 +36,7 @@ pub(super) struct Passes {
     /// The row in which the next face of the row that is drawn begins, and that face.
     pub(super) next: (i32, u16),
     /// A row and how many faces cross it.
-    crossing: (i32, i32),
+    crossing: (i32, Wrapping<u16>),
 }
 
 impl Passes {
@@ -42,14 +44,14 @@ impl Passes {
         are_needed: false,
         rows: 0,
         next: (0, 0),
-        crossing: (0, 0),
+        crossing: (0, Wrapping(0)),
     };
 
     /// Begins a frame.
     pub(super) fn restart(&mut self, are_needed: bool) {
         *self = Self {
             are_needed,
-            crossing: (i32::MIN, 0),
+            crossing: (i32::MIN, Wrapping(0)),
             ..Self::NONE
         };
     }
@@ -66,13 +68,13 @@ impl Passes {
         let (first, mut crossing) = if (top..=row).contains(&counted) {
             (counted + 1, crossing)
         } else {
-            (top, 0)
+            (top, Wrapping(0))
         };
         for row in first..row + 1 {
             crossing += faces.change(row);
         }
         self.crossing = (row, crossing);
-        crossing as usize
+        crossing.0.into()
     }
 
     /// Faces from the first row on.

@@ -1,11 +1,16 @@
 //! Frames with fewer slots than faces in a row: drawn in passes, they are the pictures of frames with room for all.
 
-use embedded_graphics::{pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
+use embedded_graphics::{
+    pixelcolor::{Rgb565, Rgb888},
+    prelude::*,
+    primitives::Rectangle,
+};
+use fixed::types::I16F16;
 use proptest::prelude::*;
 use zrow::{
     band::Band,
     geometry::{InputError, Sub4, Sub8, TooSmall},
-    scene::{Camera, DepthWidth, Look, Memory, Model, Pose, Prepared},
+    scene::{Camera, DepthWidth, FaceSet, Look, Memory, Model, Pose, Prepared},
 };
 
 use crate::common::meshes::{self, Mesh};
@@ -184,4 +189,33 @@ fn without_slots_faces_are_an_error() {
     let error = memory.prepare(&camera(area(128, 64)), &models).err();
     assert_eq!(error, Some(InputError::TooSmall(TooSmall::ActiveFaces(1))));
     assert!(memory.prepare(&camera(area(128, 64)), &[]).is_ok());
+}
+
+/// As many faces as a table holds, and one of them in two fragments: more than a signed number of 16 bits counts.
+#[test]
+fn a_row_with_more_nodes_than_faces_fit_a_table() {
+    const FACES: usize = 32_767;
+    let area = area(4, 4);
+    let camera = Camera::new(area, I16F16::from_num(128)).unwrap();
+    let vertices = [
+        [-4000, -2000, 1000],
+        [0, 4000, 1000],
+        [4000, -2000, 1000],
+        // Nearer, and the near plane cuts it above the picture.
+        [-600, -400, 300],
+        [0, 900, 100],
+        [600, -400, 300],
+    ];
+    let mut faces = vec![[0, 1, 2]; FACES];
+    let mut colors = vec![Rgb565::BLUE; FACES];
+    (faces[FACES - 1], colors[FACES - 1]) = ([3, 4, 5], Rgb565::RED);
+    let models = [Model::new(FaceSet::new(&vertices, &faces).unwrap(), &colors).unwrap()];
+    let mut memory = Box::new(Memory::<Rgb565, 14, FACES, 4, 4>::new());
+    let mut prepared = memory.prepare(&camera, &models).unwrap();
+    assert_eq!(prepared.vertices_needed(), 14);
+    assert_eq!(prepared.active_needed(), FACES + 1);
+    let mut words = [0; 16];
+    prepared.draw(&mut Band::<Rgb565>::new(area, &mut words).unwrap());
+    assert_eq!(words, [Rgb565::RED.into_storage(); 16]);
+    assert_eq!(prepared.rows_in_passes(), 4);
 }
