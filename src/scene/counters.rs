@@ -10,7 +10,8 @@ use crate::visible::Count;
 /// What a frame took: what there was, what was left out, and what was done, in a look that is
 /// [`Counted`](crate::scene::Counted).
 ///
-/// Numbers of faces are those of the whole frame; the others are of the rows that were drawn since it was prepared.
+/// Numbers of faces are those of the whole frame; the others are of the rows that were drawn since it was prepared, and begin
+/// again at 0 after the greatest number.
 ///
 /// Depths that were tested for each pixel of the panel say how many surfaces lie behind each other there; faces that were left
 /// out say how much of the models is not seen:
@@ -110,33 +111,38 @@ impl Counting for Cell<Counters> {
 impl Count for &Cell<Counters> {
     fn filled(self, pixels: usize) {
         add(self, |counters| {
-            counters.spans_filled += u32::from(pixels > 0);
-            counters.pixels_filled += pixels as u32;
+            increase(&mut counters.spans_filled, u32::from(pixels > 0));
+            increase(&mut counters.pixels_filled, pixels as u32);
         });
     }
 
     fn tested(self, pixels: usize) {
         add(self, |counters| {
-            counters.spans_tested += u32::from(pixels > 0);
-            counters.pixels_tested += pixels as u32;
+            increase(&mut counters.spans_tested, u32::from(pixels > 0));
+            increase(&mut counters.pixels_tested, pixels as u32);
         });
     }
 
     fn fragment(self) {
-        add(self, |counters| counters.fragments += 1);
+        add(self, |counters| increase(&mut counters.fragments, 1));
     }
 
     fn blended(self) {
-        add(self, |counters| counters.fragments_blended += 1);
+        add(self, |counters| increase(&mut counters.fragments_blended, 1));
     }
 
     fn divisions(self, number: u32) {
-        add(self, |counters| counters.divisions += number);
+        add(self, |counters| increase(&mut counters.divisions, number));
     }
 
     fn row(self) {
-        add(self, |counters| counters.rows += 1);
+        add(self, |counters| increase(&mut counters.rows, 1));
     }
+}
+
+/// Adds to a counter, modulo 2^32.
+fn increase(counter: &mut u32, by: u32) {
+    *counter = counter.wrapping_add(by);
 }
 
 /// Changes counters in their cell.
@@ -144,4 +150,39 @@ fn add(cell: &Cell<Counters>, change: impl FnOnce(&mut Counters)) {
     let mut counters = cell.get();
     change(&mut counters);
     cell.set(counters);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A frame that is prepared once and drawn for days.
+    #[test]
+    fn counters_begin_again_after_the_greatest_number() {
+        let counters = Cell::new(Counters {
+            rows: u32::MAX,
+            spans_filled: u32::MAX,
+            pixels_filled: u32::MAX - 2,
+            spans_tested: u32::MAX,
+            pixels_tested: u32::MAX - 2,
+            fragments: u32::MAX,
+            fragments_blended: u32::MAX,
+            divisions: u32::MAX - 2,
+            ..Counters::default()
+        });
+        let count = &counters;
+        count.row();
+        count.filled(7);
+        count.tested(7);
+        count.fragment();
+        count.blended();
+        count.divisions(7);
+        let expected = Counters {
+            pixels_filled: 4,
+            pixels_tested: 4,
+            divisions: 4,
+            ..Counters::default()
+        };
+        assert_eq!(counters.get(), expected);
+    }
 }

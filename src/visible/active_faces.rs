@@ -131,6 +131,12 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         self.rows_without_depth
     }
 
+    /// Counts a row that was drawn without depths, modulo 2^32.
+    #[inline]
+    fn count_row_without_depth(&mut self) {
+        self.rows_without_depth = self.rows_without_depth.wrapping_add(1);
+    }
+
     /// Draws all faces of a row.
     #[inline(never)]
     pub(crate) fn draw_row<'e, F, O, D>(
@@ -160,7 +166,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         // A fragment is nearer than a cleared depth, always: without a second one for its pixel no test can fail.
         while Self::MAY_BE_DISJOINT && self.disjoint {
             if self.fill_spans(faces, row) {
-                self.rows_without_depth += 1;
+                self.count_row_without_depth();
                 return;
             }
             if self.attempts_left == 0 {
@@ -171,12 +177,12 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         }
         self.close_gaps();
         if only_faces && self.used == 0 && edges.columns().is_none_or(|edges| edges.is_untouched()) {
-            self.rows_without_depth += 1;
+            self.count_row_without_depth();
             return;
         }
         if may_be_untested::<_, _, _, F>() && only_faces && self.are_few_and_apart() {
             row.is_tested = false;
-            self.rows_without_depth += 1;
+            self.count_row_without_depth();
         } else {
             row.clear_depths();
         }
@@ -663,4 +669,25 @@ fn comes_first<'f, S: ScreenPrecision + 'f, D: DepthWidth, H: Shading>(
     first_column: i32,
 ) -> bool {
     !drawn.any(|face| faces.order(face.node) <= order && is_seen(faces, face, at, first_column))
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::pixelcolor::Rgb565;
+
+    use super::*;
+    use crate::geometry::Sub4;
+
+    /// A frame that is prepared once and drawn for days.
+    #[test]
+    fn rows_are_counted_beyond_the_greatest_number() {
+        let mut list = ActiveFaces::<[ActiveFace<Sub4, Rgb565>; 0]>::EMPTY;
+        let list: &mut ActiveList<Sub4, Rgb565> = &mut list;
+        list.rows_without_depth = u32::MAX;
+        list.count_row_without_depth();
+        assert_eq!(list.rows_without_depth(), 0);
+        list.passes.rows = u32::MAX;
+        list.passes.count_row();
+        assert_eq!(list.rows_in_passes(), 0);
+    }
 }

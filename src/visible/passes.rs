@@ -56,6 +56,12 @@ impl Passes {
         };
     }
 
+    /// Counts a row that takes more than one pass, modulo 2^32.
+    #[inline]
+    pub(super) fn count_row(&mut self) {
+        self.rows = self.rows.wrapping_add(1);
+    }
+
     /// How many faces cross a row. Cost: a sum over the rows above it, of which only the last is added where rows come in
     /// order.
     pub(super) fn crossing<S: ScreenPrecision, D: DepthWidth, H: Shading>(

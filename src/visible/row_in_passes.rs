@@ -96,7 +96,9 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         (self.first_column, self.disjoint) = (left, false);
         (self.used, self.free) = (0, 0);
         self.passes.next = Passes::from_top(faces).next;
-        self.passes.rows += u32::from(!fits);
+        if !fits {
+            self.passes.count_row();
+        }
         self.next_pass(faces, row)
     }
 

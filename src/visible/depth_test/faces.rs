@@ -50,7 +50,7 @@ impl<S: ScreenPrecision, H: Shading> ActiveList<S, H> {
         };
         if F::DRAWS_IN_PASSES && self.needs_passes() {
             if self.passes.crossing(faces, tested.row.y) > self.capacity() {
-                self.passes.rows += 1;
+                self.passes.count_row();
                 tested.draw_all_of_table();
                 return;
             }
