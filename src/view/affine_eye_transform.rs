@@ -85,8 +85,8 @@ impl AffineEyeTransform {
                 .iter()
                 .zip(most)
                 .map(|(element, most)| i64::from(element.unsigned_abs()) * most);
-            // Three products of 46 bits.
-            reach.sum::<i64>() + translation.abs() < 1 << MOST_BITS
+            // Three products of 46 bits. Coordinates are rounded down: the least one is a whole unit of theirs farther inside.
+            reach.sum::<i64>() + translation.abs() <= (1 << MOST_BITS) - (1 << 12)
         })
     }
 }

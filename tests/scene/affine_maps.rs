@@ -574,3 +574,26 @@ fn a_pose_is_a_map() {
         }
     }
 }
+
+/// A coordinate of 2^18 units is one too many, also where it is negative.
+#[test]
+fn the_least_coordinate_of_a_stretched_model_is_that_beside_the_greatest() {
+    let vertices = [[i16::MIN, 0, 0]];
+    let mesh = FaceSet::new(&vertices, &[[0; 3]]).unwrap();
+    let prepare = |x: i32| {
+        let map = Affine {
+            translation: at(x, 0, 0),
+            ..Affine::scaled([7, 1, 1].map(I8F24::from_num::<i32>))
+        };
+        let models = [Model::<Coarse>::with_skin(mesh, (&[Rgb888::RED][..], map))
+            .unwrap()
+            .with_pose(Pose::new(Rotation::IDENTITY, at(0, 0, 100)))];
+        let camera = Camera::new(area(64, 64), I16F16::from_num(8)).unwrap();
+        let mut memory = Memory::<Coarse, 3, 1, 64, 64>::new();
+        memory
+            .prepare(&camera, &models)
+            .map(|prepared| prepared.faces().count())
+    };
+    assert_eq!(prepare(-32_768), Err(InputError::ModelOutOfDomain { model: 0 }));
+    assert_eq!(prepare(-32_767), Ok(0));
+}
