@@ -115,7 +115,8 @@ impl<'a> FaceSet<'a> {
     pub const NO_NEIGHBOUR: u16 = neighbours::NO_NEIGHBOUR;
 
     /// The neighbours of `FACES` faces: those that have the same two vertices the other way round. Where more than two faces
-    /// meet in an edge, and on the other side of the edges of a hole, there is none.
+    /// meet in an edge, and on the other side of the edges of a hole, there is none. Faces after the first 65,535 have no number:
+    /// they are nobody's neighbours.
     ///
     /// In a `static` the compiler finds them; a mesh of a thousand faces takes it a second. Cost: a few steps for each edge,
     /// and 16 bytes of stack a face.

@@ -85,7 +85,8 @@ const fn enter(heads: &mut [u32], edge: Edge, number: u32) -> u32 {
     before
 }
 
-/// The face that has an edge in the other direction, where it is the only one, and no other face has it in this direction.
+/// The face that has an edge in the other direction, where it is the only one, and no other face has it in this direction;
+/// none where that face has no number of 16 bits.
 const fn across(faces: &[[u16; 3]], heads: &[u32], next: &[[u32; 3]], [from, to]: Edge) -> u16 {
     let (mut there, mut back, mut found) = (0u32, 0u32, NO_NEIGHBOUR);
     let mut number = first(heads, [from, to]);
@@ -106,7 +107,8 @@ const fn across(faces: &[[u16; 3]], heads: &[u32], next: &[[u32; 3]], [from, to]
         }
         if start == to && end == from {
             back += 1;
-            found = face as u16;
+            let has_number = face < NO_NEIGHBOUR as usize;
+            found = if has_number { face as u16 } else { NO_NEIGHBOUR };
         }
         number = after;
     }

@@ -9,4 +9,5 @@ mod reference {
 
 mod convex;
 mod edges;
+mod neighbours;
 mod polygons;
