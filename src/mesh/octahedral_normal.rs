@@ -19,7 +19,7 @@
 #[inline]
 pub(crate) fn unit_normal(bytes: [i8; 2]) -> [i32; 3] {
     let [x, y, z] = normal(bytes);
-    // 127^2 / 3 to 127^2 + 128^2 * 2, for bytes of -128, too.
+    // From 5,377, as of (42, 42, 43), to 16,643 of (1, 1, -129), where both bytes are -128.
     let square = x * x + y * y + z * z;
     let scale = reciprocal_square_root(square);
     // In units of 1/128: the square root of 2^14.
@@ -43,7 +43,7 @@ fn folded(coordinate: i32, other: i32) -> i32 {
     if coordinate < 0 { -size } else { size }
 }
 
-/// 2^21 / sqrt(square), for squares from 5,376 to 16,384: a line, then two steps of Newton's method.
+/// 2^21 / sqrt(square), for squares from 5,377 to 16,643: a line, then two steps of Newton's method.
 #[inline]
 fn reciprocal_square_root(square: i32) -> i32 {
     // 2.043 - 1.124 x for x = square / 2^14, with 14 fractional bits: within 5 % of 1 / sqrt(x).

@@ -9,7 +9,8 @@ use crate::{
 
 /// A point of eye space in 1/4096 of the vertices' unit.
 ///
-/// Every `i16` vertex and every `I16F16` translation of model and camera give coordinates below 2^30.
+/// Coordinates are below 2^30 in size: every `i16` vertex and every `I16F16` translation of model and camera give such, and a
+/// model that an affine map makes greater is an error.
 #[derive(Debug, Copy, Clone, PartialEq, Eq)]
 pub(crate) struct EyePoint {
     pub(crate) x: i32,

@@ -19,7 +19,7 @@ impl ScreenPlane {
     /// face; `None` for any other.
     ///
     /// The gradients are rounded once, and then only whole pixels are multiplied, from an anchor that depends on the face
-    /// and the viewport alone. With `u16` a pixel's depth is within 1/6 unit of the exact plane before it is rounded,
+    /// and the viewport alone. With `u16` a pixel's depth is within 1/4 unit of the exact plane before it is rounded,
     /// with `u32` within half as many 1/256 units as the viewport has columns and rows.
     #[inline]
     pub(super) fn small<S: ScreenPrecision, D: DepthWidth>(
@@ -123,7 +123,7 @@ pub(super) struct SmallPlane {
     per_row: i32,
 }
 
-/// A face in 12.4 positions, below 1,024 pixels in width and height.
+/// A face in 12.4 positions, of which no corner is 1,024 pixels or more beside the top one, or 2,048 below it.
 #[derive(Debug, Copy, Clone)]
 pub(super) struct SmallFace {
     right: Position,
@@ -174,8 +174,8 @@ impl SmallFace {
     /// The gradients of a number of the corners, from the top one on, below 2^16 in size and in their differences. `None` where
     /// one is steeper than 1,024 units a pixel.
     ///
-    /// A gradient is wrong by 5/65,536 at most, and 1,024 columns and rows away the number by 1/6; in a face as large as a
-    /// display's by far less.
+    /// A gradient is wrong by 5/65,536 at most, and 1,024 columns and rows away the number by 1/6, 1,024 columns and 2,047 rows
+    /// away by 1/4; in a face as large as a display's by far less.
     #[inline]
     pub(super) fn gradients(
         &self,
