@@ -129,7 +129,8 @@ pub struct EdgeColumn<W, D> {
     /// The face of the nearest edge that passes through the pixel, plus one; 0 where there is none. With
     /// [`ONE_EDGE`](Self::ONE_EDGE) if it is the only one.
     pub(super) face: u16,
-    /// The depth of the nearest edge, at the pixel.
+    /// The depth of the nearest edge: at the centre of the pixel, between the depths of its ends; of an edge up to 16 pixels long
+    /// that of its middle.
     pub(super) depth: D,
     /// The word that the pixel of the band had before the row was drawn.
     pub(super) behind: W,
@@ -390,16 +391,17 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         let Some(columns) = self.add_part(&part).filter(|_| edge.is_drawn()) else {
             return;
         };
-        let mut depth = [edge.depth().units(), 0];
+        let face = face(self.one_edge, edge, &part);
         if edge.is_long() {
-            let Some(corners) = corners(edge.face()) else {
-                return;
-            };
-            let [from, to] = edge.corners_of(corners);
-            let ends = if edge.goes_up() { [to, from] } else { [from, to] };
-            depth = self.depth::<S>(ends, rows, columns);
+            if let Some(corners) = corners(edge.face()) {
+                let [from, to] = edge.corners_of(corners);
+                let ends = if edge.goes_up() { [to, from] } else { [from, to] };
+                self.mark_long::<S>(words, columns, face, ends, rows);
+            }
+        } else {
+            let depth = edge.depth();
+            self.mark(words, columns, face, || depth);
         }
-        self.mark(words, columns, face(self.one_edge, edge, &part), depth);
     }
 
     /// Adds a part of an edge. Returns the first and the last column that it passes through, `None` where it passes through no
@@ -446,41 +448,68 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         }
     }
 
-    /// Notes that an edge passes through the columns from the first to the last: its face as they keep it, the depth in the
-    /// first of them, and what it gains from column to column.
+    /// Notes that an edge passes through the columns from the first to the last: its face as they keep it, and its depth in each
+    /// of them.
     #[inline]
-    fn mark(&mut self, words: &[W], [first, last]: [i32; 2], face: u16, [mut depth, step]: [i32; 2]) {
+    fn mark(&mut self, words: &[W], [first, last]: [i32; 2], face: u16, mut depth: impl FnMut() -> D) {
         let columns = first as usize..last as usize + 1;
         let (Some(columns), Some(words)) = (self.columns.get_mut(columns.clone()), words.get(columns)) else {
             return;
         };
         for (edge, word) in columns.iter_mut().zip(words) {
-            edge.mark(face, D::from_units(depth), Some(word));
-            depth += step;
+            edge.mark(face, depth(), Some(word));
         }
     }
 
-    /// The depth of a long edge in the first of the columns that it passes through between two y, in units, and what it gains
-    /// from column to column.
+    /// Notes that a long edge passes through the columns between two y. Its depth is the same in all of them, or, where the edge
+    /// is nearly level, that at the centre of each.
     #[inline]
-    fn depth<S: ScreenPrecision>(
-        &self,
+    fn mark_long<S: ScreenPrecision>(
+        &mut self,
+        words: &[W],
+        columns: [i32; 2],
+        face: u16,
         [upper, lower]: [&ScreenVertex<S, D>; 2],
         [start, end]: [i32; 2],
-        [column, _]: [i32; 2],
-    ) -> [i32; 2] {
+    ) {
         let (width, height) = (lower.x_units() - upper.x_units(), lower.y_units() - upper.y_units());
-        let change = lower.z.units() - upper.z.units();
         if height >= width.abs() {
             let part = ((start + end) >> 1) - upper.y_units();
-            return [upper.z.units() + scaled(change, part, height), 0];
+            let change = lower.z.units() - upper.z.units();
+            let depth = D::from_units(upper.z.units() + scaled(change, part, height));
+            self.mark(words, columns, face, || depth);
+        } else {
+            let ends = if width < 0 { [lower, upper] } else { [upper, lower] };
+            self.mark_level(words, columns, face, ends);
         }
-        let [left, right] = if width < 0 { [lower, upper] } else { [upper, lower] }.map(|end| end.z.units());
-        let (change, width) = (right - left, width.abs());
-        let first = upper.x_units().min(lower.x_units()) >> S::FRACTION_BITS;
-        // From the end of the edge on, wherever the row begins.
-        let step = scaled(change, 1 << S::FRACTION_BITS, width);
-        [left + step * (column + self.left - first), step]
+    }
+
+    /// Fractional bits of the depths along an edge: units have 16 or 24 bits, and a step beyond either end fits as well.
+    const DEPTH_BITS: u32 = D::FRACTION_BITS - 2;
+
+    /// Notes that a long, nearly level edge passes through the columns from the first to the last.
+    fn mark_level<S: ScreenPrecision>(
+        &mut self,
+        words: &[W],
+        columns: [i32; 2],
+        face: u16,
+        [left, right]: [&ScreenVertex<S, D>; 2],
+    ) {
+        let [start, end] = [left, right].map(|end| end.z.units() << Self::DEPTH_BITS);
+        let one = 1 << S::FRACTION_BITS;
+        let step = scaled(end - start, one, right.x_units() - left.x_units());
+        // From the end of the edge on, wherever the row begins; and half a unit more, so that depths are rounded to the nearest.
+        let (column, after) = (left.x_units() >> S::FRACTION_BITS, left.x_units() & (one - 1));
+        let to_column = ((i64::from(step) * i64::from(after)) >> S::FRACTION_BITS) as i32;
+        let half = (1 << Self::DEPTH_BITS) / 2;
+        let mut depth = start + half - to_column + step * (columns[0] + self.left - column);
+        // The centres of columns through which the edge passes may lie beyond its ends.
+        let [least, greatest] = [start.min(end), start.max(end)];
+        self.mark(words, columns, face, || {
+            let here = depth.max(least).min(greatest);
+            depth += step;
+            D::from_units(here >> Self::DEPTH_BITS)
+        });
     }
 }
 
@@ -498,5 +527,81 @@ fn scaled(change: i32, part: i32, whole: i32) -> i32 {
     match change.checked_mul(part) {
         Some(product) => divide_floor_large(product, whole).0,
         None => divide_long(i64::from(change) * i64::from(part), whole).0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Sub4, Sub8};
+
+    /// The most columns of a row.
+    const MOST: usize = 2_100;
+
+    /// A corner in units, with a depth in units.
+    fn corner<S: ScreenPrecision, D: DepthWidth>([x, y, z]: [i32; 3]) -> ScreenVertex<S, D> {
+        ScreenVertex {
+            x: S::narrow(x),
+            y: S::narrow(y),
+            z: D::from_units(z),
+        }
+    }
+
+    /// Adds an edge to all rows that it passes through, in windows of so many columns: each depth is that of the edge at the
+    /// centre of the pixel, or of the end beside it. Returns how many pixels the edge passes through.
+    fn check<S: ScreenPrecision, D: DepthWidth>(ends: [[i32; 3]; 2], width: usize) -> usize {
+        let ([from, to], mut marked) = (ends, 0);
+        let corners = [corner::<S, D>(from), corner(to), corner(from)];
+        let [upper, lower] = if to[1] < from[1] { [to, from] } else { [from, to] };
+        let row_of = |units: i32| (units + (1 << S::FRACTION_BITS) / 2) >> S::FRACTION_BITS;
+        let [first, last] = [from[0].min(to[0]), from[0].max(to[0])].map(row_of);
+        for y in row_of(upper[1])..=row_of(lower[1]) {
+            for left in (first - 1..=last + 1).step_by(width) {
+                let edge = ActiveEdge::new::<S>([&corners[0], &corners[1]], (0, 0), [false, true], left);
+                let mut columns = [EdgeColumn::<u16, D>::EMPTY; MOST];
+                let mut row = EdgeRow::new(&mut columns, width, [left, y]);
+                let [top, bottom] = row.sides::<S>();
+                if edge.last() <= top || upper[1] >= bottom {
+                    continue;
+                }
+                row.add_once(&[0; MOST], &edge, |_| Some(corners.each_ref()));
+                for (column, entry) in (left..).zip(&columns).take(width).filter(|(_, entry)| entry.face != 0) {
+                    let part = f64::from((column << S::FRACTION_BITS) - from[0]) / f64::from(to[0] - from[0]);
+                    let exact = f64::from(from[2]) + f64::from(to[2] - from[2]) * part.clamp(0.0, 1.0);
+                    let found = f64::from(entry.depth.units());
+                    // A unit, and what a step is rounded by in all columns.
+                    let most = 1.0 + f64::from(last - first) / f64::from(1 << (D::FRACTION_BITS - 2));
+                    assert!(
+                        (found - exact).abs() <= most,
+                        "{ends:?}: {found} at column {column} of row {y}, not {exact}"
+                    );
+                    marked += 1;
+                }
+            }
+        }
+        marked
+    }
+
+    /// Flat and steep slopes of depths, in both directions, by rows of many columns and of few.
+    #[test]
+    fn a_nearly_level_edge_has_the_depth_of_each_column() {
+        for (ends, pixels) in [
+            ([[0, 3, 300], [5_120, 40, 150]], 320),
+            ([[15, 3, 65_000], [281, 9, 100]], 18),
+            ([[281, 3, 65_000], [15, 40, 100]], 18),
+            ([[9, -3, 1], [16_000, 200, 65_535]], 1_000),
+            ([[15_999, -3, 1], [-16_001, 9_000, 65_535]], 2_000),
+        ] {
+            let [from, to] = ends;
+            for ends in [ends, [to, from]] {
+                for width in [MOST, 7] {
+                    let marked = check::<Sub4, u16>(ends, width);
+                    assert!(marked >= pixels, "{marked} pixels of {ends:?}");
+                    check::<Sub4, u32>(ends.map(|[x, y, z]| [x, y, z << 8]), width);
+                    check::<Sub8, u16>(ends.map(|[x, y, z]| [x << 4, y << 4, z]), width);
+                    check::<Sub8, u32>(ends.map(|[x, y, z]| [x << 4, y << 4, z << 8]), width);
+                }
+            }
+        }
     }
 }
