@@ -123,9 +123,9 @@ enum EdgeLine {
 
 /// A corner, by the two lines that meet in it.
 enum CutVertex {
-    /// That corner of the polygon.
+    /// A corner of the polygon, by its number.
     OfPolygon(usize),
-    /// That corner of the window.
+    /// A corner of the window, by its number.
     OfWindow(usize),
     /// The crossing of an edge of the polygon, by its number, with a side of the window, by its number.
     Crossing(usize, usize),

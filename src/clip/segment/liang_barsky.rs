@@ -154,7 +154,8 @@ impl Axis {
         }
     }
 
-    /// How far along it a segment that runs to larger coordinates crosses a side. Distances between 32-bit coordinates fit `u32`.
+    /// The fraction of a segment that runs to larger coordinates at which it crosses a side. Distances between 32-bit coordinates
+    /// fit `u32`.
     fn upwards(&self, side: i32) -> Fraction {
         Fraction {
             side,
@@ -163,7 +164,7 @@ impl Axis {
         }
     }
 
-    /// How far along it a segment that runs to smaller coordinates crosses a side.
+    /// The fraction of a segment that runs to smaller coordinates at which it crosses a side.
     fn downwards(&self, side: i32) -> Fraction {
         Fraction {
             side,

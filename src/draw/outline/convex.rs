@@ -19,9 +19,9 @@ pub(super) struct Turns {
     goes_down: Option<[bool; 2]>,
     /// How often an edge goes the other way in y than the one before that was not level.
     reversals: u32,
-    /// Whether it turns clockwise at some corner.
+    /// Whether the outline turns clockwise at some corner.
     clockwise: bool,
-    /// Whether it turns counterclockwise at some corner.
+    /// Whether the outline turns counterclockwise at some corner.
     counterclockwise: bool,
     /// Whether an edge does not begin where the one before it ends, or goes back over that one.
     is_broken: bool,

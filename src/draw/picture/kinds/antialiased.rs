@@ -89,7 +89,8 @@ fn prepare<'a, C: ChannelColor, O: Order>(
 /// How outlines over each other are drawn: the lowest one has its cursor in the slot.
 struct Layers;
 
-/// Where a layer lies in the pool: also behind the first 65,536 words, in which the item begins.
+/// The position of an outline's words in the pool. An item begins within the first 65,536 words, and its upper outline may lie
+/// behind them.
 #[derive(Debug, Copy, Clone)]
 struct Position {
     /// The word of the colour.

@@ -199,7 +199,8 @@ fn set_visible_pixels<W: PixelWord>(row: &mut [W], left: i32, mut bits: u32, wor
     }
 }
 
-/// As [`set_visible_pixels`], for a processor without an instruction that counts to the next bit.
+/// Sets those pixels of a row, from a column on, whose bits are set and which the row has: column by column, for a processor
+/// without an instruction that counts to the next bit.
 #[inline]
 fn set_by_column<W: PixelWord>(row: &mut [W], left: i32, bits: u32, word: W) {
     let hidden = left.min(0).unsigned_abs();
