@@ -25,6 +25,7 @@ where
     type Depth = D;
     type Counting = ();
     type Silhouettes = ();
+    type Visibility = ();
     type StoredAttributes = ();
     const CLIPS: bool = CLIPS;
     const DRAWS_IN_PASSES: bool = PASSES;

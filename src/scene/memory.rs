@@ -9,7 +9,7 @@ use crate::{
         stored_attributes::{Stored, StoredAttributes},
     },
     view::{Camera, DepthWidth, ScreenPrecision, ScreenVertex},
-    visible::{ActiveFace, ActiveFaces, Entry},
+    visible::{ActiveFace, ActiveFaces, Entry, LookVisibility},
 };
 
 /// A slot of the active list.
@@ -31,7 +31,8 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 /// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 48 an active face, and 48. What varies over
 /// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) (none for texture coordinates, where
 /// no face is cut) and 12 an active face; silhouettes that are [`Antialiased`](crate::scene::Antialiased) take 12 bytes a
-/// column, 4 a face, 4 a row, and 896. All zero bits when new, so that a `static` lies in `.bss`.
+/// column, 4 a face, 4 a row, and 896, and the method of a look that is [`VisibleBy`](crate::scene::VisibleBy) one what it says.
+/// All zero bits when new, so that a `static` lies in `.bss`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;
@@ -98,6 +99,7 @@ impl<L: Look, const VERTICES: usize, const FACES: usize, const WIDTH: usize, con
             depths: [L::Depth::FARTHEST; WIDTH],
             edges_of_row: RowTables {
                 active: Entry::EMPTY,
+                visibility: LookVisibility::NEW,
                 columns: [<ColumnOf<L> as Entry>::EMPTY; WIDTH],
             },
             edges_of_faces: [<FaceEdgesOf<L> as Entry>::EMPTY; FACES],

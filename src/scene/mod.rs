@@ -39,6 +39,7 @@
 // The measured reason for functions that are marked as cold here is in `visible`.
 
 mod back_faces;
+mod by_method;
 mod clipping;
 mod counters;
 mod culling;
@@ -74,7 +75,8 @@ pub use crate::{
 pub use counters::Counters;
 pub use frame::Frame;
 pub use look::{
-    Antialiased, Counted, Deep, DoubleSided, Fine, Look, Multisampled, OnePass, Orthographic, Unhurried, Whole,
+    Antialiased, Counted, Deep, DoubleSided, Fine, Look, Multisampled, OnePass, Orthographic, Unhurried, VisibleBy,
+    Whole,
 };
 pub use memory::Memory;
 pub use model::Model;

@@ -18,7 +18,7 @@ use crate::{
     },
     shade::{Planes, Shading},
     view::{AffineEyeTransform, Camera, EyePoint, EyeTransform, ScreenPrecision, ToEye, ViewVolume},
-    visible::Silhouettes,
+    visible::{LookVisibility, Silhouettes},
 };
 
 /// The clipping boundary beyond which an off-screen vertex lies.
@@ -94,6 +94,7 @@ impl<L: Look> Frame<'_, L> {
         } else {
             check(self.active.capacity(), TooSmall::ActiveFaces(most_active))?;
         }
+        self.silhouettes.row.visibility.restart();
         self.active.restart();
         Ok(vertices..vertices_needed)
     }

@@ -7,10 +7,11 @@ use embedded_graphics::geometry::Point;
 use crate::{
     band::{Band, Multisampled},
     coverage::SamplePattern,
-    geometry::{InputError, TooSmall, Window},
+    geometry::{InputError, TooSmall},
     scene::{
         Counters, Frame, Look, Model,
         back_faces::{faces_culled, vertices_not_transformed},
+        by_method::check_method,
         culling::faces_left_out,
         estimate::RowDrawing,
         faces::{self, ScreenFace},
@@ -18,13 +19,10 @@ use crate::{
         prepared_faces::{FrameUniforms, PreparedFaces, RowMemory},
         silhouette_tables::SilhouetteTables,
     },
-    shade::{ChannelColor, InstructionSet, Shading},
-    surface::{Order, Target},
+    shade::{ChannelColor, InstructionSet},
+    surface::Order,
     view::Camera,
-    visible::{
-        BandPainter, DepthRow, DepthState, DepthUse, GridRayCasting, ReportingPainter, SilhouettePainter, Silhouettes,
-        Visibility, Work, face_at,
-    },
+    visible::{ByMethod, DepthRow, DepthState, DepthUse, GridRayCasting, Silhouettes, Visibility, Work, face_at},
 };
 
 /// A scene ready to be drawn, in the memory of a [`Frame`].
@@ -108,19 +106,13 @@ pub struct Prepared<'f, 'm, L: Look> {
 }
 
 impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
-    /// Whether methods draw the look that find one face for each pixel: nothing is seen through a face, or beside it.
-    const HAS_OWNERS: bool = !L::Shading::HAS_HOLES && !L::Shading::BLENDS && !L::Silhouettes::BY_AREA;
-
-    /// Does not compile where a method, which paints from back to front or not, does not draw the look.
+    /// Does not compile where a method that a program hands over does not draw the look.
     const fn check_method(paints_from_back: bool) {
         assert!(
             !L::IS_MULTISAMPLED,
             "only the depth row draws looks with several samples a pixel"
         );
-        assert!(
-            Self::HAS_OWNERS || paints_from_back,
-            "only the depth row and DepthSort draw looks with holes, translucent faces or silhouettes by area"
-        );
+        check_method::<L>(paints_from_back);
     }
 
     /// Prepares a frame in its memory.
@@ -151,8 +143,12 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     /// new start.
     ///
     /// Pixels of the viewport outside the band, and of the band outside the viewport, are left alone.
+    ///
+    /// A look that is [`VisibleBy`](crate::scene::VisibleBy) a method is drawn by that.
+    #[inline]
     pub fn draw<O: Order>(&mut self, band: &mut Band<'_, L::Color, O>) {
-        self.draw_rows(band, DepthUse::WhereFacesMayOverlap, |_| {});
+        let (faces, visibility, rows) = self.parts();
+        faces.draw_as_look(visibility, rows, band);
     }
 
     /// Draws as [`draw`](Self::draw) does, and hands over each row when the scene is in it, so that more can be drawn
@@ -232,7 +228,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
 
     /// Draws the rows of a band by another method than the depth row: the same picture, in other time and memory.
     ///
-    /// A program that compares methods, or has a scene for which one is better, names it here; what is not named is not linked.
+    /// A program that compares methods names them here, one that always draws by the same method names it in the look
+    /// ([`VisibleBy`](crate::scene::VisibleBy)); what is not named is not linked.
     /// Looks with several samples a pixel need the depth row: with them this does not compile. Those with holes, translucent faces
     /// or antialiased silhouettes need the depth row or a method that paints from back to front:
     /// [`DepthSort`](crate::visible::DepthSort).
@@ -269,51 +266,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         band: &mut Band<'_, L::Color, O>,
     ) -> Result<(), TooSmall> {
         const { Self::check_method(M::PAINTS_FROM_BACK) }
-        let window = self.faces.viewport.intersection(&band.window());
-        if window.is_empty() {
-            return Ok(());
-        }
-        if L::Silhouettes::BY_AREA {
-            return self.paint_silhouettes(method, band, &window, |_| {});
-        }
-        let mut painter = BandPainter::new(&self.faces, &window, band, self.depths, self.active);
-        method.draw(&self.faces, &window, &mut painter)
-    }
-
-    /// Paints the rows of a window by a method that paints from back to front, one row after the other, with silhouettes by
-    /// area.
-    ///
-    /// # Errors
-    /// The method has too little memory for the window: says how much would do. The band is as it was.
-    fn paint_silhouettes<O: Order, M: Visibility<L::Depth>>(
-        &mut self,
-        method: &mut M,
-        band: &mut Band<'_, L::Color, O>,
-        window: &Window,
-        mut report: impl FnMut(Work),
-    ) -> Result<(), TooSmall> {
-        method.check(&self.faces, window)?;
-        // The silhouettes of the rows are followed, but not their faces.
-        self.active.leave_rows();
-        for y in window.top..window.bottom {
-            let Some(row) = DepthRow::new(band, window, y, self.depths) else {
-                continue;
-            };
-            let edges = self
-                .faces
-                .begin_silhouettes(&mut self.silhouettes, &row, y > window.top);
-            let mut painter = SilhouettePainter::new(&self.faces, row, edges);
-            let row = Window {
-                top: y,
-                bottom: y + 1,
-                ..*window
-            };
-            let reporting = ReportingPainter::new(&mut painter, &self.faces, &row, &mut report);
-            let drawn = method.draw(&self.faces, &row, &mut { reporting });
-            painter.finish();
-            drawn?;
-        }
-        Ok(())
+        let (faces, _, rows) = self.parts();
+        faces.draw_by(method, rows, band)
     }
 
     /// Draws as [`draw_by`](Self::draw_by) does, and reports the work that the method does, step by step: to show it, to count it,
@@ -358,16 +312,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         report: impl FnMut(Work),
     ) -> Result<(), TooSmall> {
         const { Self::check_method(M::PAINTS_FROM_BACK) }
-        let window = self.faces.viewport.intersection(&band.window());
-        if window.is_empty() {
-            return Ok(());
-        }
-        if L::Silhouettes::BY_AREA {
-            return self.paint_silhouettes(method, band, &window, report);
-        }
-        let painter = BandPainter::new(&self.faces, &window, band, self.depths, self.active);
-        let mut painter = ReportingPainter::new(painter, &self.faces, &window, report);
-        method.draw(&self.faces, &window, &mut painter)
+        let (faces, _, rows) = self.parts();
+        faces.draw_by_with(method, rows, band, report)
     }
 
     /// Which face is seen in a pixel, as where a finger touches the panel: its index in the order of models and faces. `None`
@@ -445,12 +391,20 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
         depth_use: DepthUse,
         more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
     ) {
+        let (faces, _, rows) = self.parts();
+        faces.draw(rows, band, depth_use, more);
+    }
+
+    /// The faces, how the look finds out which are seen, and the memory of rows.
+    #[inline(always)]
+    fn parts(&mut self) -> (&PreparedFaces<'f, 'm, L>, &mut L::Visibility, RowMemory<'_, L>) {
+        let (visibility, silhouettes) = self.silhouettes.parts();
         let rows = RowMemory {
             active: self.active,
             depths: self.depths,
-            silhouettes: &mut self.silhouettes,
+            silhouettes,
         };
-        self.faces.draw(rows, band, depth_use, more);
+        (&self.faces, visibility, rows)
     }
 
     /// Draws the rows of a band into the samples of its pixels, which [`Band::multisample`] hands over, in a look that is
@@ -504,12 +458,8 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
                 "only looks that are `Multisampled` are drawn into samples"
             )
         }
-        let rows = RowMemory {
-            active: self.active,
-            depths: self.depths,
-            silhouettes: &mut self.silhouettes,
-        };
-        self.faces.draw_samples(rows, samples);
+        let (faces, _, rows) = self.parts();
+        faces.draw_samples(rows, samples);
     }
 
     /// How many rows [`draw`](Self::draw) has drawn without depths since the frame was prepared, because no face overlapped
@@ -623,6 +573,20 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
             &self.faces.camera,
             self.fragments.clone(),
         )
+    }
+}
+
+impl<M, L: Look<Visibility = ByMethod<M>>> Prepared<'_, '_, L> {
+    /// The method of a look that is [`VisibleBy`](crate::scene::VisibleBy) one, with what it has counted since its memory was made.
+    pub const fn method(&self) -> &M {
+        &self.silhouettes.row.visibility.method
+    }
+
+    /// Why the method of a look that is [`VisibleBy`](crate::scene::VisibleBy) one did not draw a band since the frame was
+    /// prepared: the depth row drew it, and with so much memory the method would have. Of several bands the one that takes most;
+    /// `None` where the method drew all of them.
+    pub const fn method_error(&self) -> Option<TooSmall> {
+        self.silhouettes.row.visibility.error
     }
 }
 

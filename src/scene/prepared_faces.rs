@@ -19,7 +19,7 @@ use crate::{
         },
         model::outward,
         preparation::clockwise,
-        silhouette_tables::SilhouetteTables,
+        silhouette_tables::EdgeTables,
         stored_attributes::{Stored, StoredAttributes},
     },
     shade::{Attributes, ChannelColor, Planes, Shading},
@@ -76,10 +76,21 @@ impl<L: Look> FrameUniforms<L> {
 
 /// The memory that changes while the rows of a prepared frame are drawn: the active list, the depths of a row, and its
 /// silhouettes.
-pub(super) struct RowMemory<'r, 'm, L: Look> {
+pub(super) struct RowMemory<'r, L: Look> {
     pub(super) active: &'r mut ActiveListOf<L>,
     pub(super) depths: &'r mut [L::Depth],
-    pub(super) silhouettes: &'r mut SilhouetteTables<'m, L>,
+    pub(super) silhouettes: EdgeTables<'r, L>,
+}
+
+impl<L: Look> RowMemory<'_, L> {
+    /// The same memory for a shorter time.
+    pub(super) fn reborrow(&mut self) -> RowMemory<'_, L> {
+        RowMemory {
+            active: self.active,
+            depths: self.depths,
+            silhouettes: self.silhouettes.reborrow(),
+        }
+    }
 }
 
 /// The filled tables of a frame, and the models that they were filled from. Kept from row to row.
@@ -136,7 +147,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     /// Draws the rows of a band, as they were prepared for a viewport, and hands each of them over.
     pub(super) fn draw<O: Order>(
         &self,
-        rows: RowMemory<'_, '_, L>,
+        rows: RowMemory<'_, L>,
         band: &mut Band<'_, L::Color, O>,
         depth_use: DepthUse,
         mut more: impl FnMut(&mut DepthRow<'_, L::Color, O, L::Depth>),
@@ -144,7 +155,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
         let RowMemory {
             active,
             depths,
-            silhouettes,
+            mut silhouettes,
         } = rows;
         let depth_use = if L::HURRIES { depth_use } else { DepthUse::Always };
         let window = self.viewport.intersection(&band.window());
@@ -157,7 +168,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
                 if L::IS_MULTISAMPLED {
                     self.draw_centres(active, &mut row);
                 } else if L::Silhouettes::BY_AREA {
-                    let edges = self.begin_silhouettes(silhouettes, &row, active.is_at(&row));
+                    let edges = self.begin_silhouettes(&mut silhouettes, &row, active.is_at(&row));
                     self.draw_row(active, &mut row, depth_use, edges);
                 } else {
                     self.draw_row(active, &mut row, depth_use, ());
@@ -179,7 +190,7 @@ impl<'f, 'm, L: Look> PreparedFaces<'f, 'm, L> {
     /// Draws the rows of a band into the samples of its pixels, as they were prepared for a viewport.
     pub(super) fn draw_samples<O: Order, P: SamplePattern>(
         &self,
-        rows: RowMemory<'_, '_, L>,
+        rows: RowMemory<'_, L>,
         target: &mut Multisampled<'_, L::Color, O, P>,
     ) where
         L::Color: ChannelColor,

@@ -9,7 +9,7 @@ use core::{cell::RefCell, fmt, ops::Range};
 use crate::{
     band::Band,
     draw::PictureItem,
-    geometry::{InputError, SubPixel, Window},
+    geometry::{InputError, SubPixel, TooSmall, Window},
     scene::{
         Frame, Look, Model,
         back_faces::is_not_transformed,
@@ -19,7 +19,7 @@ use crate::{
     },
     surface::Order,
     view::Camera,
-    visible::DepthUse,
+    visible::ByMethod,
 };
 
 /// A scene as an item for [`Picture::add_item`](crate::draw::Picture::add_item): drawn over what was added before it, and
@@ -116,6 +116,15 @@ impl<'f, 'm, L: Look, const MODELS: usize> SceneItem<'f, 'm, L, MODELS> {
     }
 }
 
+impl<M, L: Look<Visibility = ByMethod<M>>, const MODELS: usize> SceneItem<'_, '_, L, MODELS> {
+    /// Why the method of a look that is [`VisibleBy`](crate::scene::VisibleBy) one did not draw a band since the item was prepared:
+    /// the depth row drew it, and with so much memory the method would have. Of several bands the one that takes most; `None` where
+    /// the method drew all of them.
+    pub fn method_error(&self) -> Option<TooSmall> {
+        self.0.try_borrow().ok()?.frame.silhouettes.row.visibility.error
+    }
+}
+
 impl<L: Look, const MODELS: usize> Storage<'_, '_, L, MODELS> {
     fn prepare(&mut self, camera: &Camera) -> Result<(), InputError> {
         self.camera = None;
@@ -186,12 +195,13 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
             active,
         } = frame.reborrow();
         let faces = PreparedFaces::new(tables, models, camera, *uniforms);
+        let (visibility, silhouettes) = silhouettes.parts();
         let rows = RowMemory {
             active,
             depths,
-            silhouettes: &mut silhouettes,
+            silhouettes,
         };
-        faces.draw(rows, band, DepthUse::WhereFacesMayOverlap, |_| {});
+        faces.draw_as_look(visibility, rows, band);
         *uniforms = faces.frame_uniforms();
     }
 }

@@ -1,4 +1,5 @@
-//! The memory that antialiased silhouettes take: what is kept of columns, faces and rows, nothing in looks without.
+//! The memory that antialiased silhouettes take, what is kept of columns, faces and rows, and that of a method of visibility:
+//! nothing in looks without.
 
 use crate::{scene::Look, visible::Silhouettes};
 
@@ -13,21 +14,25 @@ pub(super) type ColumnOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Colo
 /// first such face, and how many edges are active. Nothing in looks without.
 pub(super) type FaceEdgesOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::FaceEdges;
 
-/// The tables of one row in looks with antialiased silhouettes: the silhouette edges that cross the row (`A`), and an entry for
-/// each of its pixels (`C`, an array or a slice).
-// One reference to both, because in looks without silhouettes it is carried along, too.
+/// What a look keeps of the silhouette edges that cross a row; nothing in looks without.
+type ActiveEdgesOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::ActiveEdges<<L as Look>::Depth>;
+
+/// What looks keep that name more than a depth row: the silhouette edges that cross the row (`A`), the method of visibility
+/// (`V`), and an entry for each pixel of the row (`C`, an array or a slice).
+// One reference to all of them, because in looks with none of them it is carried along, too.
 #[derive(Debug)]
-pub(super) struct RowTables<A, C: ?Sized> {
+pub(super) struct RowTables<A, V, C: ?Sized> {
     /// The edges that go on into the row that comes next, before others.
     pub(super) active: A,
+    pub(super) visibility: V,
     pub(super) columns: C,
 }
 
-/// The [`RowTables`] of a look, with columns `C` (an array or a slice); of no size in looks without antialiased silhouettes.
-pub(super) type RowTablesOf<L, C> =
-    RowTables<<SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::ActiveEdges<<L as Look>::Depth>, C>;
+/// The [`RowTables`] of a look, with columns `C` (an array or a slice); of no size in looks by the depth row without antialiased
+/// silhouettes.
+pub(super) type RowTablesOf<L, C> = RowTables<ActiveEdgesOf<L>, <L as Look>::Visibility, C>;
 
-/// The memory that silhouettes take: none in looks without.
+/// The memory that silhouettes and a method of visibility take: none in looks without.
 #[derive(Debug)]
 pub(super) struct SilhouetteTables<'m, L: Look> {
     pub(super) row: &'m mut RowTablesOf<L, [ColumnOf<L>]>,
@@ -42,6 +47,44 @@ impl<L: Look> SilhouetteTables<'_, L> {
     pub(super) const fn reborrow(&mut self) -> SilhouetteTables<'_, L> {
         SilhouetteTables {
             row: self.row,
+            faces: self.faces,
+            rows: self.rows,
+        }
+    }
+
+    /// The method of visibility, and the tables of silhouettes.
+    #[inline(always)]
+    pub(super) const fn parts(&mut self) -> (&mut L::Visibility, EdgeTables<'_, L>) {
+        let RowTables {
+            active,
+            visibility,
+            columns,
+        } = &mut *self.row;
+        let edges = EdgeTables {
+            active,
+            columns,
+            faces: self.faces,
+            rows: self.rows,
+        };
+        (visibility, edges)
+    }
+}
+
+/// The tables of silhouettes alone.
+#[derive(Debug)]
+pub(super) struct EdgeTables<'t, L: Look> {
+    pub(super) active: &'t mut ActiveEdgesOf<L>,
+    pub(super) columns: &'t mut [ColumnOf<L>],
+    pub(super) faces: &'t mut [FaceEdgesOf<L>],
+    pub(super) rows: &'t mut [FaceEdgesOf<L>],
+}
+
+impl<L: Look> EdgeTables<'_, L> {
+    /// The same tables for a shorter time.
+    pub(super) const fn reborrow(&mut self) -> EdgeTables<'_, L> {
+        EdgeTables {
+            active: self.active,
+            columns: self.columns,
             faces: self.faces,
             rows: self.rows,
         }

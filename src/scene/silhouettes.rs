@@ -23,7 +23,7 @@ use crate::{
         off_screen::is_outside,
         preparation::is_front,
         prepared_faces::PreparedFaces,
-        silhouette_tables::{SilhouetteTables, SilhouettesOf},
+        silhouette_tables::{EdgeTables, SilhouettesOf},
     },
     shade::Shading,
     surface::{BandColor, Order},
@@ -40,14 +40,14 @@ impl<'m, L: Look> PreparedFaces<'_, 'm, L> {
     #[inline(never)]
     pub(super) fn begin_silhouettes<'c, O: Order>(
         &self,
-        tables: &'c mut SilhouetteTables<'_, L>,
+        tables: &'c mut EdgeTables<'_, L>,
         row: &DepthRow<'_, L::Color, O, L::Depth>,
         follows: bool,
     ) -> EdgeRowOf<'c, L> {
         let faces = SilhouettesOf::<L>::faces(tables.faces);
         let rows = SilhouettesOf::<L>::faces(tables.rows);
-        let active = SilhouettesOf::<L>::active(&mut tables.row.active);
-        let columns = SilhouettesOf::<L>::columns(&mut tables.row.columns);
+        let active = SilhouettesOf::<L>::active(tables.active);
+        let columns = SilhouettesOf::<L>::columns(tables.columns);
         let mut edges = EdgeRow::new(columns, row.words().len(), row.start());
         self.add_silhouettes_of_row(&mut edges, row, active, [faces, rows], follows);
         edges

@@ -129,7 +129,8 @@
 //!
 //! ## Which one to take
 //!
-//! [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes another [`Visibility`]:
+//! A look that is [`VisibleBy`](crate::scene::VisibleBy) another [`Visibility`] draws by it, and
+//! [`Prepared::draw_by`](crate::scene::Prepared::draw_by) takes one, to compare them:
 //!
 //! - [`DepthBuffer`]: a depth and a face for each pixel (Catmull 1974). Where memory is plenty.
 //! - [`DepthSort`]: faces sorted by depth and painted from back to front, with splits (Newell, Newell and Sancha 1972), also
@@ -246,6 +247,7 @@ pub use hidden_surfaces::{
     SpanScanLine, TileBins, Warnock,
 };
 pub use visibility::Visibility;
+pub(crate) use visibility::{ByMethod, LookVisibility, Method, NewMethod};
 pub use work::Work;
 
 pub(crate) use active_face::ActiveFace;

@@ -31,6 +31,7 @@ impl<H: Shading, S: ScreenPrecision, D: DepthWidth + 'static, const CLIPS: bool,
     type Depth = D;
     type Counting = ();
     type Silhouettes = ();
+    type Visibility = ();
     type StoredAttributes = ();
     const CLIPS: bool = CLIPS;
     const DRAWS_IN_PASSES: bool = PASSES;

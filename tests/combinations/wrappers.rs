@@ -7,8 +7,9 @@ use zrow::{
     geometry::{InputError, Sub4, Sub8, SubPixel, TooSmall},
     scene::{
         Antialiased, Camera, Counted, Deep, DoubleSided, Fine, Look, Memory, Model, OnePass, Orthographic, Pose,
-        Rotation, Unhurried, Whole,
+        Rotation, Unhurried, VisibleBy, Whole,
     },
+    visible::SpanScanLine,
 };
 use zrow_methods::LookOf;
 
@@ -16,6 +17,9 @@ use crate::common::meshes;
 use crate::numbered_scene::{Scene, area};
 use crate::same_looks::{SameTypes, assert_same_items};
 use crate::snapped_faces::{at, camera, standard_pose};
+
+/// A look whose faces are seen by the scan line with spans.
+type BySpans<L> = VisibleBy<SpanScanLine<9>, L>;
 
 /// What a look does with a scene.
 #[derive(Debug, PartialEq, Eq)]
@@ -149,6 +153,15 @@ fn every_pair_of_wrappers_names_the_same_in_both_orders() {
         DoubleSided<Orthographic<Rgb888>> as Orthographic<DoubleSided<LookOf<Rgb888, Sub4, u16, true, true>>>;
         DoubleSided<Counted<Rgb888>> as Counted<DoubleSided<LookOf<Rgb888, Sub4, u16, true, true>>>;
         DoubleSided<Unhurried<Rgb888>> as Unhurried<DoubleSided<LookOf<Rgb888, Sub4, u16, true, true>>>;
+        BySpans<Fine<Rgb888>> as BySpans<LookOf<Rgb888, Sub8, u16, true, true>>;
+        BySpans<Deep<Rgb888>> as BySpans<LookOf<Rgb888, Sub4, u32, true, true>>;
+        BySpans<Whole<Rgb888>> as BySpans<LookOf<Rgb888, Sub4, u16, false, true>>;
+        BySpans<OnePass<Rgb888>> as BySpans<LookOf<Rgb888, Sub4, u16, true, false>>;
+        BySpans<Orthographic<Rgb888>> as Orthographic<BySpans<LookOf<Rgb888, Sub4, u16, true, true>>>;
+        BySpans<DoubleSided<Rgb888>> as DoubleSided<BySpans<LookOf<Rgb888, Sub4, u16, true, true>>>;
+        BySpans<Antialiased<Rgb888>> as Antialiased<BySpans<LookOf<Rgb888, Sub4, u16, true, true>>>;
+        BySpans<Counted<Rgb888>> as Counted<BySpans<LookOf<Rgb888, Sub4, u16, true, true>>>;
+        BySpans<Unhurried<Rgb888>> as Unhurried<BySpans<LookOf<Rgb888, Sub4, u16, true, true>>>;
     }
 }
 
@@ -164,6 +177,8 @@ fn every_pair_of_wrappers_draws() {
     check_picture::<Antialiased<OnePass<Whole<Rgb888>>>, Antialiased<Rgb888>>();
     check_picture::<DoubleSided<Whole<Rgb888>>, DoubleSided<Rgb888>>();
     check_picture::<DoubleSided<OnePass<Rgb888>>, DoubleSided<Rgb888>>();
+    check_picture::<Whole<BySpans<Orthographic<Rgb888>>>, Orthographic<Rgb888>>();
+    check_picture::<BySpans<DoubleSided<OnePass<Fine<Deep<Rgb888>>>>>, DoubleSided<Fine<Deep<Rgb888>>>>();
 }
 
 #[test]

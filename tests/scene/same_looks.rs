@@ -13,6 +13,7 @@ pub trait SameTypes<L: Look>:
         Depth = L::Depth,
         Counting = L::Counting,
         Silhouettes = L::Silhouettes,
+        Visibility = L::Visibility,
     >
 {
 }
@@ -25,6 +26,7 @@ impl<L: Look, Same> SameTypes<L> for Same where
             Depth = L::Depth,
             Counting = L::Counting,
             Silhouettes = L::Silhouettes,
+            Visibility = L::Visibility,
         >
 {
 }

@@ -61,6 +61,7 @@ mod untested_rows;
 mod visibility;
 mod visibility_antialiased;
 mod visibility_depth_sort;
+mod visibility_looks;
 mod visibility_rays;
 mod visibility_scenes;
 mod visibility_shading;

@@ -58,6 +58,7 @@ impl<L: Look<Color: ChannelColor>> Look for Antialiased<L> {
     type Depth = L::Depth;
     type Counting = L::Counting;
     type Silhouettes = ByArea;
+    type Visibility = L::Visibility;
     type StoredAttributes = L::StoredAttributes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;

@@ -21,6 +21,7 @@ impl<L: Look> Look for Counted<L> {
     type Depth = L::Depth;
     type Counting = Cell<Counters>;
     type Silhouettes = L::Silhouettes;
+    type Visibility = L::Visibility;
     type StoredAttributes = L::StoredAttributes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use crate::scene::Look;
+use crate::{scene::Look, visible::LookVisibility};
 
 /// The [`Look`] `L` with depths of 32 bits instead of 16: 256 times finer, for scenes that reach far. A vertex takes 8 bytes
 /// (12 where it is [`Fine`](crate::scene::Fine)), a column of the depth row 4.
@@ -28,13 +28,14 @@ use crate::scene::Look;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Deep<L>(PhantomData<L>);
 
-impl<L: Look> Look for Deep<L> {
+impl<L: Look<Visibility: LookVisibility<u32>>> Look for Deep<L> {
     type Color = L::Color;
     type Shading = L::Shading;
     type Precision = L::Precision;
     type Depth = u32;
     type Counting = L::Counting;
     type Silhouettes = L::Silhouettes;
+    type Visibility = L::Visibility;
     type StoredAttributes = L::StoredAttributes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;

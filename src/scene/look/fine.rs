@@ -39,6 +39,7 @@ impl<L: Look> Look for Fine<L> {
     type Depth = L::Depth;
     type Counting = L::Counting;
     type Silhouettes = L::Silhouettes;
+    type Visibility = L::Visibility;
     type StoredAttributes = L::StoredAttributes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;

@@ -12,6 +12,7 @@ mod multisampled;
 mod one_pass;
 mod orthographic;
 mod unhurried;
+mod visible_by;
 mod whole;
 
 pub use antialiased::Antialiased;
@@ -23,6 +24,7 @@ pub use multisampled::Multisampled;
 pub use one_pass::OnePass;
 pub use orthographic::Orthographic;
 pub use unhurried::Unhurried;
+pub use visible_by::VisibleBy;
 pub use whole::Whole;
 
 use crate::{
@@ -31,7 +33,7 @@ use crate::{
     shade::Shading,
     surface::BandColor,
     view::{DepthWidth, ScreenPrecision},
-    visible::Silhouettes,
+    visible::{LookVisibility, Silhouettes},
 };
 
 /// What the pictures of a scene are made of: colours, the precision of positions and depths, whether faces are cut, and whether
@@ -41,7 +43,8 @@ use crate::{
 /// depths of 16 bits, faces are cut, rows are drawn in passes where they must. A wrapper changes one thing of another look, in
 /// any order: [`Fine`] (positions at 1/256 pixel), [`Deep`] (depths of 32 bits), [`Whole`] (no face is cut), [`OnePass`] (no
 /// row is drawn in passes), [`Orthographic`] (parallel rays), [`DoubleSided`] (faces are seen from both sides), [`Antialiased`]
-/// (silhouettes), [`Multisampled`] (several samples a pixel), [`Counted`] (counters), [`Unhurried`] (no shortcuts). A look can
+/// (silhouettes), [`Multisampled`] (several samples a pixel), [`VisibleBy`] (another method of visibility), [`Counted`] (counters), [`Unhurried`]
+/// (no shortcuts). A look can
 /// also be a type of the program's own.
 ///
 /// ```
@@ -84,6 +87,9 @@ pub trait Look: 'static {
     /// `()`; in looks that are [`Antialiased`], how silhouettes are.
     type Silhouettes: Silhouettes<Self::Color>;
 
+    /// `()`, the depth row; in looks that are [`VisibleBy`] another method, that.
+    type Visibility: LookVisibility<Self::Depth>;
+
     /// `()`; in looks that are [`Whole`], what is kept of the attributes of vertices.
     type StoredAttributes: StoredAttributes;
 
@@ -125,5 +131,6 @@ impl<H: Shading> Look for H {
     type Depth = u16;
     type Counting = ();
     type Silhouettes = ();
+    type Visibility = ();
     type StoredAttributes = ();
 }

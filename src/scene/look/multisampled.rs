@@ -30,6 +30,7 @@ impl<L: Look> Look for Multisampled<L> {
     type Depth = L::Depth;
     type Counting = L::Counting;
     type Silhouettes = ();
+    type Visibility = ();
     type StoredAttributes = L::StoredAttributes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = false;

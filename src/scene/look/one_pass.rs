@@ -37,6 +37,7 @@ impl<L: Look> Look for OnePass<L> {
     type Depth = L::Depth;
     type Counting = L::Counting;
     type Silhouettes = L::Silhouettes;
+    type Visibility = L::Visibility;
     type StoredAttributes = L::StoredAttributes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = false;

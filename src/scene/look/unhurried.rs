@@ -41,6 +41,7 @@ impl<L: Look> Look for Unhurried<L> {
     type Depth = L::Depth;
     type Counting = L::Counting;
     type Silhouettes = L::Silhouettes;
+    type Visibility = L::Visibility;
     type StoredAttributes = L::StoredAttributes;
     const CLIPS: bool = L::CLIPS;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;

@@ -42,6 +42,7 @@ impl<L: Look> Look for Whole<L> {
     type Depth = L::Depth;
     type Counting = L::Counting;
     type Silhouettes = L::Silhouettes;
+    type Visibility = L::Visibility;
     type StoredAttributes = ButCoordinates;
     const CLIPS: bool = false;
     const DRAWS_IN_PASSES: bool = L::DRAWS_IN_PASSES;

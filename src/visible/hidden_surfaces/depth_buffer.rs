@@ -24,7 +24,7 @@ use crate::{
         face_table::{FaceTable, NONE},
         hidden_surfaces::placed::{face_from_row, for_each_node, keep_nearer, paint_nodes},
         painter::Painter,
-        visibility::Method,
+        visibility::{Method, NewMethod},
         work::Work,
     },
 };
@@ -56,6 +56,10 @@ impl<D: DepthWidth, const PIXELS: usize> Default for DepthBuffer<D, PIXELS> {
     fn default() -> Self {
         Self::new()
     }
+}
+
+impl<D: DepthWidth + 'static, const PIXELS: usize> NewMethod<D> for DepthBuffer<D, PIXELS> {
+    const NEW: Self = Self::new();
 }
 
 impl<D: DepthWidth, const PIXELS: usize> Method<D> for DepthBuffer<D, PIXELS> {

@@ -18,7 +18,7 @@ use embedded_graphics::geometry::Point;
 
 use crate::{
     geometry::{TooSmall, Window},
-    scan::{FillRule, Location},
+    scan::{FillRule, Location, Polygons},
     shade::Shading,
     surface::Span,
     view::{DepthWidth, ScreenPrecision, ScreenVertex},
@@ -26,7 +26,7 @@ use crate::{
         face_table::{FaceTable, corners_from_top, covers},
         hidden_surfaces::placed::{nearest_of_all, paint_row_reporting},
         painter::Painter,
-        visibility::Method,
+        visibility::{Method, NewMethod},
         work::Work,
     },
 };
@@ -94,6 +94,11 @@ impl defmt::Format for OneDepth {
     fn format(&self, formatter: defmt::Formatter<'_>) {
         defmt::write!(formatter, "OneDepth, {} points tested", self.points_tested);
     }
+}
+
+impl<D: DepthWidth> NewMethod<D> for OneDepth {
+    /// By crossing numbers.
+    const NEW: Self = Self::new(Polygons::crossing_number);
 }
 
 impl<D: DepthWidth> Method<D> for OneDepth {

@@ -31,7 +31,7 @@ use crate::{
         face_table::{FaceTable, NONE, corners_from_top},
         hidden_surfaces::placed::{face_from_row, for_each_node, keep_nearer, paint_nodes},
         painter::Painter,
-        visibility::Method,
+        visibility::{Method, NewMethod},
         work::Work,
     },
 };
@@ -116,6 +116,10 @@ impl<D: DepthWidth, const TILES: usize, const FACES: usize> Default for TileBins
     fn default() -> Self {
         Self::new()
     }
+}
+
+impl<D: DepthWidth + 'static, const TILES: usize, const FACES: usize> NewMethod<D> for TileBins<D, TILES, FACES> {
+    const NEW: Self = Self::new();
 }
 
 impl<D: DepthWidth, const TILES: usize, const FACES: usize> Method<D> for TileBins<D, TILES, FACES> {

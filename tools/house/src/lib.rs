@@ -242,7 +242,7 @@ fn wrappers_hand_everything_on() {
 /// lists them. Public is what a user names: a bound whose methods nobody calls stays `pub` in a private module.
 #[test]
 fn the_public_face_is_small() {
-    const MOST: usize = 203;
+    const MOST: usize = 204;
     let face = public_face(&modules());
     let names: Vec<&str> = face.iter().map(String::as_str).collect();
     assert!(face.len() <= MOST, "{} of {MOST}:\n{}", face.len(), names.join("\n"));

@@ -84,7 +84,12 @@ use crate::{
     scan::polygon::edge_table::shell_sort,
     shade::Shading,
     view::{DepthWidth, ScreenPrecision},
-    visible::{face_table::FaceTable, hidden_surfaces::placed::for_each_node, painter::Painter, visibility::Method},
+    visible::{
+        face_table::FaceTable,
+        hidden_surfaces::placed::for_each_node,
+        painter::Painter,
+        visibility::{Method, NewMethod},
+    },
 };
 
 use counters::add;
@@ -164,6 +169,10 @@ impl<const FACES: usize, const SPLITS: usize> Default for DepthSort<FACES, SPLIT
     fn default() -> Self {
         Self::new()
     }
+}
+
+impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> NewMethod<D> for DepthSort<FACES, SPLITS> {
+    const NEW: Self = Self::new();
 }
 
 impl<D: DepthWidth, const FACES: usize, const SPLITS: usize> Method<D> for DepthSort<FACES, SPLITS> {

@@ -38,7 +38,7 @@ use crate::{
             },
         },
         painter::Painter,
-        visibility::Method,
+        visibility::{Method, NewMethod},
     },
 };
 
@@ -371,6 +371,12 @@ impl<const FACES: usize, const CELLS: usize, const ENTRIES: usize> Default for G
     fn default() -> Self {
         Self::new()
     }
+}
+
+impl<D: DepthWidth, const FACES: usize, const CELLS: usize, const ENTRIES: usize> NewMethod<D>
+    for GridRayCasting<FACES, CELLS, ENTRIES>
+{
+    const NEW: Self = Self::new();
 }
 
 impl<D: DepthWidth, const FACES: usize, const CELLS: usize, const ENTRIES: usize> Method<D>

@@ -20,7 +20,7 @@ use crate::{
             ray_casting::box_tree::BoxTree,
         },
         painter::Painter,
-        visibility::Method,
+        visibility::{Method, NewMethod},
         work::Work,
     },
 };
@@ -90,6 +90,10 @@ impl<const FACES: usize> Default for RayCasting<FACES> {
     fn default() -> Self {
         Self::new()
     }
+}
+
+impl<D: DepthWidth, const FACES: usize> NewMethod<D> for RayCasting<FACES> {
+    const NEW: Self = Self::new();
 }
 
 impl<D: DepthWidth, const FACES: usize> Method<D> for RayCasting<FACES> {

@@ -45,7 +45,7 @@ use crate::{
         active_faces::ActiveList,
         face_table::{FaceTable, NONE},
         painter::Painter,
-        visibility::Method,
+        visibility::{Method, NewMethod},
     },
 };
 
@@ -107,6 +107,10 @@ impl<const ACTIVE: usize> Default for SpanScanLine<ACTIVE> {
     fn default() -> Self {
         Self::new()
     }
+}
+
+impl<D: DepthWidth, const ACTIVE: usize> NewMethod<D> for SpanScanLine<ACTIVE> {
+    const NEW: Self = Self::new();
 }
 
 impl<D: DepthWidth, const ACTIVE: usize> Method<D> for SpanScanLine<ACTIVE> {

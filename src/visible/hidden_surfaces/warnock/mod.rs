@@ -37,7 +37,7 @@ mod tests;
 mod window_stack;
 mod window_test;
 
-use core::marker::PhantomData;
+use core::{fmt::Debug, marker::PhantomData};
 
 use crate::{
     geometry::{TooSmall, Window},
@@ -48,7 +48,7 @@ use crate::{
         hidden_surfaces::placed::{face_from_row, for_each_node},
         painter::Painter,
         passes::{face_in_first_row, surroundings},
-        visibility::Method,
+        visibility::{Method, NewMethod},
         work::Work,
     },
 };
@@ -150,6 +150,10 @@ impl<const FACES: usize> Default for Warnock<FACES> {
     fn default() -> Self {
         Self::new()
     }
+}
+
+impl<D: DepthWidth, const FACES: usize, T: WindowTest + Debug + 'static> NewMethod<D> for Warnock<FACES, T> {
+    const NEW: Self = Self::with_test();
 }
 
 impl<D: DepthWidth, const FACES: usize, T: WindowTest> Method<D> for Warnock<FACES, T> {

@@ -7,7 +7,7 @@ use zrow::{
     band::{Band, LittleEndian},
     geometry::{Sub4, Sub8, TooSmall, Window},
     scan::Polygons,
-    scene::{Antialiased, Camera, DepthWidth, DoubleSided, Memory, Model, Prepared, ScreenPrecision},
+    scene::{Antialiased, Camera, DepthWidth, DoubleSided, Memory, Model, Prepared, ScreenPrecision, VisibleBy},
     visible::{
         DepthBuffer, DepthSort, GridRayCasting, OneDepth, RayCasting, SolidCombination, SolidNode, SpanScanLine,
         TileBins, Visibility, Warnock, Work,
@@ -157,6 +157,31 @@ fn check_silhouettes<S: ScreenPrecision, D: DepthWidth>(
     is_same(part, &by_row, &drawn).context("with silhouettes by the depth row, the other by the painter's algorithm")
 }
 
+/// Draws faces in looks that name a method, with memory that is enough for it or not: the picture of the depth row.
+fn check_named<S: ScreenPrecision, D: DepthWidth>(
+    camera: &Camera,
+    models: &[Model<'_, Rgb565>],
+    expected: &Expected<'_>,
+) -> Verdict {
+    macro_rules! check {
+        ($($method:ty;)*) => {$(
+            let mut memory = Memory::<VisibleBy<$method, Look<S, D>>, 512, 24, 24, 24, 24>::new();
+            let mut prepared = memory.prepare(camera, models)?;
+            let drawn = Canvas::new(*expected.part).draw::<LittleEndian>(|band| {
+                prepared.draw(band);
+                Ok(())
+            })?;
+            is_same(expected.part, expected.colors, &drawn)
+                .context(concat!("by the depth row, the other in a look by ", stringify!($method)))?;
+        )*};
+    }
+    check! {
+        SpanScanLine<24>;
+        DepthSort<3, 2>;
+    }
+    Ok(())
+}
+
 impl VisibilityCase {
     fn check_kind<S: ScreenPrecision, D: DepthWidth>(&self) -> Verdict {
         self.scene
@@ -221,6 +246,7 @@ impl VisibilityCase {
             check_with_work: Warnock::<300>::new(), true;
             check: Warnock::<3, _>::by_region_codes(), true;
         }
+        check_named::<S, D>(camera, models, &expected)?;
         check_silhouettes::<S, D>(camera, models, &part)?;
         check_solids::<S, D>(camera, models, &part)
     }

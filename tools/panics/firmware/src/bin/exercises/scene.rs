@@ -210,7 +210,7 @@ fn scene_item<L: Look>() {
 }
 
 #[inline(never)]
-fn picture_item<C: BandColor, O: Order, T: PictureItem<C, O> + 'static>() {
+pub fn picture_item<C: BandColor, O: Order, T: PictureItem<C, O> + 'static>() {
     keep(<T as PictureItem<C, O>>::bounds(any()));
     <T as PictureItem<C, O>>::draw(any(), any());
 }

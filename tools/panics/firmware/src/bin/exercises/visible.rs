@@ -2,7 +2,9 @@ use embedded_graphics::pixelcolor::Rgb565;
 use zrow::{
     band::{BigEndian, LittleEndian, Order},
     scan::Polygons,
-    scene::{Antialiased, Deep, DepthWidth, DoubleSided, Fine, Look, OnePass, Prepared, Whole},
+    scene::{
+        Antialiased, Deep, DepthWidth, DoubleSided, Fine, Look, Memory, OnePass, Prepared, SceneItem, VisibleBy, Whole,
+    },
     shade::{CutOut, Gouraud, Indexed, Texels, Textured, Translucent},
     visible::{
         Appel, Comparison, DepthBuffer, DepthLine, DepthPolygon, DepthSort, DepthSortCounters, DepthState,
@@ -14,7 +16,7 @@ use zrow_panics_firmware::{any, keep, keep_all};
 
 use crate::{
     foreign::{clone, default, eq},
-    scene::row_target,
+    scene::{picture_item, row_target},
 };
 
 pub const EXERCISES: &[fn()] = &[
@@ -27,6 +29,9 @@ pub const EXERCISES: &[fn()] = &[
     depth_test::<Rgb565, BigEndian>,
     depth_test::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>, LittleEndian>,
     depth_test::<Whole<OnePass<Translucent<Gouraud<Rgb565>>>>, LittleEndian>,
+    named_by_rays,
+    named_by_spans,
+    named_by_painter,
     painted::<Translucent<Gouraud<Rgb565>>, BigEndian>,
     painted::<Fine<Deep<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>>, LittleEndian>,
     painted::<Antialiased<Rgb565>, LittleEndian>,
@@ -169,6 +174,33 @@ fn visible_parts<L: Look, V: HiddenLines<L::Depth> + 'static>() {
         keep(part)
     }));
 }
+
+/// A function with a look that names a method.
+macro_rules! named {
+    ($name:ident, $look:ty, $order:ty) => {
+        #[inline(never)]
+        fn $name() {
+            keep(Memory::<$look, 300, 600, 240, 240, 30>::frame(any()));
+            keep(Prepared::<$look>::draw::<$order>(any(), any()));
+            keep(Prepared::<$look>::method(any()));
+            keep(Prepared::<$look>::method_error(any()));
+            keep(SceneItem::<$look, 2>::method_error(any()));
+            picture_item::<Rgb565, $order, SceneItem<$look, 2>>();
+        }
+    };
+}
+
+named!(named_by_rays, VisibleBy<OneDepth, Rgb565>, BigEndian);
+named!(
+    named_by_spans,
+    Fine<VisibleBy<SpanScanLine<30>, Textured<Texels<Rgb565, 64, 64>>>>,
+    LittleEndian
+);
+named!(
+    named_by_painter,
+    VisibleBy<DepthSort<500, 40>, Antialiased<Translucent<Gouraud<Rgb565>>>>,
+    BigEndian
+);
 
 /// Translucent faces, holes and antialiased silhouettes, from back to front.
 #[inline(never)]
