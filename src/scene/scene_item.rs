@@ -19,7 +19,7 @@ use crate::{
     },
     surface::Order,
     view::Camera,
-    visible::ByMethod,
+    visible::{ByMethod, Silhouettes},
 };
 
 /// A scene as an item for [`Picture::add_item`](crate::draw::Picture::add_item): drawn over what was added before it, and
@@ -156,12 +156,15 @@ impl<L: Look, O: Order, const MODELS: usize> PictureItem<L::Color, O> for SceneI
         } else {
             box_around(transformed.map(|vertex| [vertex.x_units(), vertex.y_units()]))
         };
-        // The first pixel whose centre is at a corner or after it, and the one after the last whose centre is before it.
+        // The first pixel whose centre is at a corner or after it, of silhouettes by area the one that the corner lies in, which may
+        // begin half a pixel before; and the pixel after the last one whose centre is before a corner, or that a corner lies in.
         let one = 1 << <L::Precision as SubPixel>::FRACTION_BITS;
-        let pixel = |units: i32| (units + (one - 1)) >> <L::Precision as SubPixel>::FRACTION_BITS;
+        let before = if L::Silhouettes::BY_AREA { one / 2 } else { one - 1 };
+        let pixel = |units: i32, before: i32| (units + before) >> <L::Precision as SubPixel>::FRACTION_BITS;
         match around {
             Some([least, most]) => {
-                let ([left, top], [right, bottom]) = (least.map(pixel), most.map(pixel));
+                let [left, top] = least.map(|units| pixel(units, before));
+                let [right, bottom] = most.map(|units| pixel(units, one - 1));
                 let around = Window {
                     left,
                     top,

@@ -11,7 +11,7 @@ use zrow::{
     band::Band,
     draw::{DrawOn, Group, Picture, PictureSlot, PrimitiveStyle},
     geometry::{InputError, TooSmall, Window},
-    scene::{Camera, Memory, Model, Pose, SceneItem},
+    scene::{Antialiased, Camera, Fine, Look, Memory, Model, Pose, SceneItem},
 };
 
 use crate::common::meshes::Mesh;
@@ -23,7 +23,7 @@ const WIDTH: usize = 48;
 const HEIGHT: usize = 40;
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HEIGHT as u32));
 
-type SceneMemory = Memory<Gray8, 400, 64, WIDTH, HEIGHT>;
+type SceneMemory<L> = Memory<L, 400, 64, WIDTH, HEIGHT>;
 type Disc = Styled<Circle, PrimitiveStyle<Gray8>>;
 
 /// A scene of one model, and the discs behind it and in front of it.
@@ -44,13 +44,13 @@ impl Case {
     }
 
     /// What a frame shows, drawn at once, without a picture.
-    fn expected(&self, frame: usize) -> Vec<u8> {
+    fn expected<L: Look<Color = Gray8, Shading = Gray8>>(&self, frame: usize) -> Vec<u8> {
         let mut words = vec![0; WIDTH * HEIGHT];
         let mut band = Band::<Gray8>::new(AREA, &mut words).unwrap();
         self.behind.draw_on(&mut band).unwrap();
         let without = words.clone();
         let models = [self.model(frame)];
-        let mut storage = SceneMemory::new();
+        let mut storage = SceneMemory::<L>::new();
         let mut band = Band::<Gray8>::new(AREA, &mut words).unwrap();
         let mut prepared = storage.prepare(&camera(AREA), &models).unwrap();
         prepared.draw(&mut band);
@@ -101,6 +101,63 @@ fn show(picture: &mut Picture<'_, '_, Gray8>, area: Rectangle, display: &mut [u8
     }
 }
 
+/// A band: its first row and its height, its first column and its width.
+type Part = (i32, u32, i32, u32);
+
+/// Draws the frames of a case as pictures: the first one in bands of one row and in some others, each later one by what has changed.
+fn check<L: Look<Color = Gray8, Shading = Gray8>>(case: &Case, bands: &[Part]) -> Result<(), TestCaseError> {
+    let mut memory = SceneMemory::<L>::new();
+    let scene = SceneItem::new(memory.frame(), &camera(AREA), [case.model(0)]).unwrap();
+    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 5], [0; 200], [0; HEIGHT]);
+    let (mut areas, mut kept) = ([Window::EMPTY; 8], [0; 12 * WIDTH]);
+    let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets)
+        .with_damage(&mut areas, (1, 1))
+        .with_group_rows(&mut kept);
+    picture.add(&case.behind).unwrap();
+    if let Some((clip, opacity)) = case.group {
+        picture.begin_group(Group::new().clip(clip).opacity(opacity)).unwrap();
+    }
+    let id = picture.add_item(&scene).unwrap();
+    if case.group.is_some() {
+        picture.end_group().unwrap();
+    }
+    picture.add(&case.before).unwrap();
+
+    let expected = case.expected::<L>(0);
+    let mut display = vec![1; WIDTH * HEIGHT];
+    for (top, height, left, width) in (0..HEIGHT as i32)
+        .map(|y| (y, 1, 0, WIDTH as u32))
+        .chain(bands.iter().copied())
+    {
+        let area = Rectangle::new(Point::new(left, top), Size::new(width, height)).intersection(&AREA);
+        show(&mut picture, area, &mut display);
+        for point in area.points() {
+            let index = point.y as usize * WIDTH + point.x as usize;
+            prop_assert_eq!(display[index], expected[index], "{} in {:?}", point, area);
+        }
+    }
+
+    // Each later frame is drawn by what has changed alone.
+    picture.clear_damage();
+    for number in 1..3 {
+        scene.prepare(&camera(AREA), [case.model(number)]).unwrap();
+        picture.replace_item(id, &scene).unwrap();
+        while let Some(area) = picture.next_damage() {
+            for y in area.rows() {
+                let row = Rectangle::new(Point::new(area.top_left.x, y), Size::new(area.size.width, 1));
+                show(&mut picture, row, &mut display);
+            }
+        }
+        let expected = case.expected::<L>(number);
+        let differs = display
+            .iter()
+            .zip(&expected)
+            .position(|(shown, expected)| shown != expected);
+        prop_assert_eq!(differs, None, "frame {}", number);
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(config(cases(150, 3_000)))]
 
@@ -109,47 +166,10 @@ proptest! {
         case in case(),
         bands in prop::collection::vec((0..HEIGHT as i32, 1..12u32, 0..40i32, 1..48u32), 1..8),
     ) {
-        let mut memory = SceneMemory::new();
-        let scene = SceneItem::new(memory.frame(), &camera(AREA), [case.model(0)]).unwrap();
-        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 5], [0; 200], [0; HEIGHT]);
-        let (mut areas, mut kept) = ([Window::EMPTY; 8], [0; 12 * WIDTH]);
-        let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets)
-            .with_damage(&mut areas, (1, 1))
-            .with_group_rows(&mut kept);
-        picture.add(&case.behind).unwrap();
-        if let Some((clip, opacity)) = case.group {
-            picture.begin_group(Group::new().clip(clip).opacity(opacity)).unwrap();
-        }
-        let id = picture.add_item(&scene).unwrap();
-        if case.group.is_some() {
-            picture.end_group().unwrap();
-        }
-        picture.add(&case.before).unwrap();
-
-        let expected = case.expected(0);
-        let mut display = vec![1; WIDTH * HEIGHT];
-        for (top, height, left, width) in (0..HEIGHT as i32).map(|y| (y, 1, 0, WIDTH as u32)).chain(bands) {
-            let area = Rectangle::new(Point::new(left, top), Size::new(width, height)).intersection(&AREA);
-            show(&mut picture, area, &mut display);
-            for point in area.points() {
-                let index = point.y as usize * WIDTH + point.x as usize;
-                prop_assert_eq!(display[index], expected[index], "{} in {:?}", point, area);
-            }
-        }
-
-        // Each later frame is drawn by what has changed alone.
-        picture.clear_damage();
-        for number in 1..3 {
-            scene.prepare(&camera(AREA), [case.model(number)]).unwrap();
-            picture.replace_item(id, &scene).unwrap();
-            while let Some(area) = picture.next_damage() {
-                for y in area.rows() {
-                    let row = Rectangle::new(Point::new(area.top_left.x, y), Size::new(area.size.width, 1));
-                    show(&mut picture, row, &mut display);
-                }
-            }
-            prop_assert_eq!(&display, &case.expected(number), "frame {}", number);
-        }
+        check::<Gray8>(&case, &bands)?;
+        // Silhouettes reach half a pixel further.
+        check::<Antialiased<Gray8>>(&case, &bands)?;
+        check::<Fine<Antialiased<Gray8>>>(&case, &bands)?;
     }
 }
 
