@@ -56,7 +56,7 @@ pub struct Counters {
     pub faces_culled_by_planes: u32,
     /// Vertices that were not transformed, because all of their faces were left out by their planes.
     pub vertices_not_transformed: u32,
-    /// Faces that were cut at the near plane or the guard band.
+    /// Faces that were cut at the near plane, the far plane or the guard band.
     pub faces_cut: u32,
     /// Rows that were drawn.
     pub rows: u32,

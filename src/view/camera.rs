@@ -98,7 +98,7 @@ impl Camera {
     ///
     /// # Errors
     /// [`InputError::NearTooClose`]; [`InputError::ViewportOutOfDomain`] where it has no pixels or is too large for any
-    /// precision.
+    /// precision; [`InputError::FocalLengthOutOfDomain`] where it is wider than 4,094 pixels, whose half is the focal length.
     pub fn new(viewport: Rectangle, near: I16F16) -> Result<Self, InputError> {
         let viewport = Window::from(viewport);
         if near < LEAST_NEAR {

@@ -84,19 +84,23 @@ impl Rotation {
     /// The rotation that turns the z axis to a direction, and the y axis as near to `up` as that allows: x stays at right angles
     /// to `up`. Both vectors have any length.
     ///
-    /// z is within 2^-28 of the direction, the axes are at right angles within 2^-26. Cost: two square roots, six divisions, 18
+    /// z is within 2^-28 of the direction, the axes are at right angles within 2^-26. Cost: two square roots, six divisions, 24
     /// multiplications.
     ///
     /// # Errors
-    /// [`InputError::NoDirection`] where the direction has length 0, or is that of `up` or its opposite, to within 2^-29.
+    /// [`InputError::NoDirection`] where the direction or `up` has length 0, where they are parallel, and where they are so nearly
+    /// parallel that they are when rounded to 30 bits.
     pub fn look_at(direction: [I16F16; 3], up: [I16F16; 3]) -> Result<Self, InputError> {
         Self::towards(direction.map(|coordinate| i64::from(coordinate.to_bits())), up)
     }
 
-    /// Turns the z axis to a direction as [`look_at`](Self::look_at) does: with 16 fractional bits and any number of whole ones.
+    /// Turns the z axis to a direction as [`look_at`](Self::look_at) does: with 16 fractional bits and 16 whole ones beside the sign.
     pub(super) fn towards(direction: [i64; 3], up: [I16F16; 3]) -> Result<Self, InputError> {
         let up = up.map(|coordinate| i64::from(coordinate.to_bits()));
         let no_direction = InputError::NoDirection;
+        if are_parallel(direction, up) {
+            return Err(no_direction);
+        }
         let (direction, up) = (scaled(direction).ok_or(no_direction)?, scaled(up).ok_or(no_direction)?);
         let z = unit(direction).map(|coordinate| i64::from(coordinate.to_bits()));
         // Of the direction before it was rounded to length 1, so that a parallel `up` gives no vector at all.
@@ -106,4 +110,10 @@ impl Rotation {
         let [[a, b, c], [d, e, f], [g, h, i]] = [x, y, z];
         Ok(Self::from_bits([[a, d, g], [b, e, h], [c, f, i]], 1))
     }
+}
+
+/// Whether two vectors are parallel, exactly: coordinates of one are 2^31 in size at most, those of the other below 2^32.
+// Both are rounded before they are multiplied, and what that leaves of parallel vectors would be taken for a direction.
+fn are_parallel([a, b, c]: [i64; 3], [x, y, z]: [i64; 3]) -> bool {
+    b * z == c * y && c * x == a * z && a * y == b * x
 }

@@ -166,7 +166,7 @@ impl<S: ScreenPrecision, D: DepthWidth> Projection<S, D> {
 
     /// Projects a vertex, which must not be in front of the near plane; rounded once to units of the precision.
     ///
-    /// `Sub4` with `u16` takes a 16-bit reciprocal: x/z is right to 2^-15 of itself. Otherwise the reciprocal has 32
+    /// `Sub4` with `u16` takes a 16-bit reciprocal: x/z is right to 2^-15, and to 2^-15 of itself. Otherwise the reciprocal has 32
     /// bits and one 64-bit division. Neither wraps: |x| < 2^30 and z >= 2^15.
     #[inline]
     pub(crate) fn project(&self, eye: EyePoint) -> WideVertex {

@@ -72,6 +72,17 @@ fn are_parallel([a, b, c]: [i32; 3], [x, y, z]: [i32; 3]) -> bool {
     product(b, z) == product(c, y) && product(c, x) == product(a, z) && product(a, y) == product(b, x)
 }
 
+/// Three times `up`, where both have more than the 30 bits that they are rounded to.
+#[test]
+fn rounding_does_not_tell_parallel_vectors_apart() {
+    let up = [644_245_094, 322_122_547, 5];
+    let direction = up.map(|coordinate| 3 * coordinate);
+    assert_eq!(
+        Rotation::look_at(fixed(direction), fixed(up)),
+        Err(InputError::NoDirection)
+    );
+}
+
 proptest! {
     #![proptest_config(config(cases(20_000, 1_000_000)))]
 
@@ -100,6 +111,16 @@ proptest! {
             prop_assert!(dot(y, up) > 0.0);
             let expected = unit(cross(up, to));
             prop_assert!(largest_difference(&[x; 3], &[expected; 3]) <= 0.5f64.powi(28) / sine);
+        }
+    }
+
+    /// Of a direction that is a multiple of `up` nothing says where x is, however long both are.
+    #[test]
+    fn what_looks_along_up_has_no_direction(up in vector(), shift in 0u32..8, factor in -200i32..200) {
+        let up = up.map(|coordinate| coordinate >> shift);
+        let direction = up.map(|coordinate| coordinate.saturating_mul(factor));
+        if are_parallel(direction, up) {
+            prop_assert_eq!(Rotation::look_at(fixed(direction), fixed(up)), Err(InputError::NoDirection));
         }
     }
 

@@ -13,7 +13,8 @@ use crate::{
 /// [`Deep`](crate::scene::Deep).
 ///
 /// The depth that is compared, and stored, is that of the pixel mapped to the [`range`](Self::range), plus the
-/// [`offset`](Self::offset), at the end of the range where it would lie beyond, and never 0, to which rows are cleared. The
+/// [`offset`](Self::offset), at the end of the range where it would lie beyond. Where it is mapped or offset it is never 0, to
+/// which rows are cleared. The
 /// [default](Self::NEARER) is what scenes are drawn with: what is nearer is drawn, of what is equally near the first stays.
 ///
 /// Source: `glDepthFunc`, `glDepthMask`, `glPolygonOffset` and `glDepthRange` of OpenGL 1.1 (Segal and Akeley 1997). There an
