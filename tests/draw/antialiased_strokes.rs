@@ -6,13 +6,16 @@ use embedded_graphics::{
     geometry::Point,
     pixelcolor::{Gray8, GrayColor},
     prelude::*,
-    primitives::{Line, Polyline, StrokeAlignment},
+    primitives::{Line, Polyline, Rectangle, StrokeAlignment},
 };
-use fixed::types::U16F16;
-use zrow::draw::{LineCap, LineJoin, StrokeStyle};
+use fixed::types::{U8F8, U16F16};
+use zrow::{
+    band::Band,
+    draw::{DrawOn, LineCap, LineJoin, StrokeStyle},
+};
 
 use crate::{
-    antialiased_area::{AREA, CAPS, Xorshift, compare, coverage, stroke},
+    antialiased_area::{AREA, CAPS, SIDE, Xorshift, compare, coverage, stroke},
     common::cases,
     reference::ideal_coverage::{along, distance},
 };
@@ -85,6 +88,75 @@ fn dashes() {
             },
         );
     }
+}
+
+/// The area is symmetric about this point.
+const CENTER: Point = Point::new(21, 22);
+
+/// A square about a point, bevelled at each corner of its outer side, and its hole: an even width lies half a pixel further up
+/// and left, along pixels.
+fn in_bevelled_square(width: u32, x: f64, y: f64) -> bool {
+    let moved = if width % 2 == 0 { 0.5 } else { 0.0 };
+    let (right, down) = (
+        (x - f64::from(CENTER.x) + moved).abs(),
+        (y - f64::from(CENTER.y) + moved).abs(),
+    );
+    let half = f64::from(width) / 2.0;
+    right.max(down) < 10.0 + half && right.max(down) > 10.0 - half && right + down < 20.0 + half
+}
+
+/// A square whose corners are all bevelled alike is its own mirror image, from left to right, upside down, and about a diagonal.
+#[test]
+fn bevelled_squares() {
+    let limit = |limit: f64| LineJoin::Miter {
+        limit: U8F8::from_num(limit),
+    };
+    for (width, join) in (1..=9).flat_map(|width| [LineJoin::Bevel, limit(1.0), limit(1.41)].map(|join| (width, join)))
+    {
+        let square = Rectangle::with_center(CENTER, Size::new(21, 21));
+        let style = StrokeStyle::new(Gray8::WHITE, width).join(join).antialiased();
+        let shape = square.into_styled(style);
+        compare(&format!("{style:?}"), &shape, |x, y| in_bevelled_square(width, x, y));
+
+        let drawn = coverage(&shape);
+        let at = |from_center: Point| {
+            let [x, y] = [
+                CENTER.x - AREA.top_left.x + from_center.x,
+                CENTER.y - AREA.top_left.y + from_center.y,
+            ];
+            drawn[(y * SIDE as i32 + x) as usize]
+        };
+        let moved = if width % 2 == 0 { 1 } else { 0 };
+        for (x, y) in (-20..20).flat_map(|x| (-20..20).map(move |y| (x, y))) {
+            let mirrored = [(-x - moved, y), (x, -y - moved), (y, x)].map(|(x, y)| at(Point::new(x, y)));
+            assert_eq!(mirrored, [at(Point::new(x, y)); 3], "{style:?}, {x}, {y}");
+        }
+    }
+}
+
+/// Corners with tips, along rows and columns: the pixels are those of a stroke that is not antialiased.
+#[test]
+fn squares_with_tips_lie_along_pixels() {
+    for (width, limit) in (1..=9).flat_map(|width| [1.42, 2.0, 4.0].map(|limit| (width, limit))) {
+        let join = LineJoin::Miter {
+            limit: U8F8::from_num(limit),
+        };
+        let square = Rectangle::with_center(CENTER, Size::new(21, 21));
+        let style = StrokeStyle::new(Gray8::WHITE, width).join(join);
+        assert_eq!(
+            coverage(&square.into_styled(style.antialiased())),
+            sampled(&square.into_styled(style)),
+            "{style:?}"
+        );
+    }
+}
+
+/// The coverage of each pixel by a stroke that is not antialiased: all or nothing.
+fn sampled(shape: &impl DrawOn<Color = Gray8>) -> Vec<u8> {
+    let mut words = vec![0; (SIDE * SIDE) as usize];
+    let mut band = Band::<Gray8>::new(AREA, &mut words).unwrap();
+    let Ok(()) = shape.draw_on(&mut band);
+    words
 }
 
 fn zigzag(random: &mut Xorshift, count: usize) -> Vec<Point> {

@@ -12,7 +12,8 @@
 //!
 //! Guarantees: corners are those of [`StyledStroke`] rounded to 1/256 pixel; chords of round caps and joins are nowhere
 //! further than 1/64 pixel from the circle. A stroke at whole pixels whose segments all run along rows and columns, with
-//! neither round caps nor round joins, has the pixels of one that is not antialiased.
+//! neither round caps nor round joins nor bevelled corners, has the pixels of one that is not antialiased. Bevelled corners
+//! are covered in part; the sides of their strokes lie along pixels all the same.
 
 use core::num::{NonZeroU32, NonZeroU64};
 
@@ -114,9 +115,11 @@ impl<'a> StrokeOutline<'a> {
         }
         let is_angular = form.cap != LineCap::Round && form.join != LineJoin::Round;
         let mut is_along_pixels = is_angular && !shape.is_sub_pixel();
+        // An odd width has sides along pixels already. There, only ends and some coordinates of bevels would be moved.
+        let is_even = form.width_in_halves.is_multiple_of(4);
         let (mut paths, mut are_rectangles, mut dashes, mut is_near) = (0u32, true, 0u64, true);
         outline.strokes(&mut |stroke| {
-            is_along_pixels = is_along_pixels && stroke.is_along_pixels();
+            is_along_pixels = is_along_pixels && stroke.is_along_pixels() && (is_even || !stroke.bevels_along_pixels());
             are_rectangles &= stroke.is_one_rectangle();
             dashes = dashes.saturating_add(stroke.most_dashes_along());
             paths = paths.saturating_add(1);

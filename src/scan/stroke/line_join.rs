@@ -66,6 +66,15 @@ impl LineJoin {
         }
     }
 
+    /// Whether this join bevels a right angle, whose tip is the square root of 2 half widths away from the corner.
+    pub(crate) fn bevels_right_angles(self, half_width: i64) -> bool {
+        match self {
+            Self::Miter { limit } => longest_tip(limit, half_width).pow(2) < 2 * half_width.pow(2),
+            Self::Bevel => true,
+            Self::Round => false,
+        }
+    }
+
     /// The tip in which two segments' outer sides meet, relative to their corner; `None` where the corner is not mitered.
     /// `one` and `other` are the outer corners of the segments' rectangles, relative to that corner too.
     pub(crate) fn tip(

@@ -319,6 +319,15 @@ impl<'a> StyledStroke<'a> {
         })
     }
 
+    /// Whether a stroke [along pixels](Self::is_along_pixels) may have a corner that is bevelled.
+    pub fn bevels_along_pixels(&self) -> bool {
+        let is_upright = |(_, from, to): (usize, Position, Position)| from.0 == to.0;
+        let (mut upright, mut level) = (self.path.segments(), self.path.segments());
+        self.join.bevels_right_angles(self.path.half_width)
+            && upright.any(is_upright)
+            && level.any(|segment| !is_upright(segment))
+    }
+
     /// The distance from the middle of the stroke to a side, in 1/65,536 pixel.
     pub fn half_width(&self) -> i64 {
         self.path.half_width
