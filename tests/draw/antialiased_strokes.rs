@@ -8,7 +8,7 @@ use embedded_graphics::{
     prelude::*,
     primitives::{Line, Polyline, Rectangle, StrokeAlignment},
 };
-use fixed::types::{U8F8, U16F16};
+use fixed::types::{I16F16, U8F8, U16F16};
 use zrow::{
     band::Band,
     draw::{DrawOn, LineCap, LineJoin, StrokeStyle},
@@ -58,35 +58,124 @@ fn dashes() {
             Point::new(random.between(-8, 8), random.between(-8, 40)),
             Point::new(random.between(30, 45), random.between(-8, 41)),
         );
-        // Along rows, dashes are those of lines without antialiasing.
-        if line.start.y == line.end.y {
-            continue;
-        }
         let (dash, gap) = (
-            f64::from(random.between(1, 80)) / 8.0,
+            // No multiple of 1/2, whose dashes are those of lines without antialiasing along rows.
+            f64::from(random.between(1, 80)) / 8.0 + 1.0 / 16.0,
             f64::from(random.between(48, 120)) / 8.0,
         );
-        let lengths = [dash, gap].map(U16F16::from_num);
         let (width, cap) = (random.between(1, 4) as u32, [LineCap::Butt, LineCap::Round][index % 2]);
+        compare_dashes(&line, width, cap, (dash, gap), 0.0);
+    }
+}
+
+/// Compares a line in dashes and gaps of two lengths, from an offset on, with the ideal one. Along rows and columns an even
+/// width lies half a pixel further up or left, along pixels, if it has no round caps.
+fn compare_dashes(line: &Line, width: u32, cap: LineCap, (dash, gap): (f64, f64), offset: f64) {
+    let lengths = [dash, gap].map(U16F16::from_num);
+    let style = StrokeStyle::new(Gray8::WHITE, width).cap(cap).dashes(&lengths);
+    let style = style.dash_offset(I16F16::from_num(offset));
+    let on_pixels = |is_along: bool| {
+        let is_moved = is_along && width % 2 == 0 && cap != LineCap::Round;
+        if is_moved { 0.5 } else { 0.0 }
+    };
+    let moved = (
+        on_pixels(line.start.x == line.end.x),
+        on_pixels(line.start.y == line.end.y),
+    );
+    compare(
+        &format!("{line:?}, {style:?}"),
+        &line.into_styled(style.antialiased()),
+        |x, y| {
+            let (along, across, length) = along(line, x + moved.0, y + moved.1);
+            let half = f64::from(width) / 2.0;
+            let more = match cap {
+                LineCap::WholePixel => 0.5,
+                LineCap::Square => half,
+                LineCap::Butt | LineCap::Round => 0.0,
+            };
+            (-9..60)
+                .map(|index| f64::from(index) * (dash + gap) - offset)
+                .map(|begin| (begin.max(0.0), (begin + dash).min(length)))
+                .filter(|(begin, end)| begin < end)
+                .any(|(begin, end)| {
+                    let beyond = (begin - along).max(along - end);
+                    match cap {
+                        LineCap::Round => across.hypot(beyond.max(0.0)) < half,
+                        _ => across.abs() < half && beyond < more,
+                    }
+                })
+        },
+    );
+}
+
+/// Level and upright lines.
+const ALONG_PIXELS: [Line; 4] = [
+    Line::new(Point::new(3, 5), Point::new(38, 5)),
+    Line::new(Point::new(40, 31), Point::new(1, 31)),
+    Line::new(Point::new(17, 2), Point::new(17, 41)),
+    Line::new(Point::new(30, 39), Point::new(30, 4)),
+];
+
+#[test]
+fn dashes_along_rows_and_columns() {
+    let mut random = Xorshift::new(0x41d5);
+    for index in 0..cases(16, 64) as usize {
+        let mut eighths = |first, last| f64::from(random.between(first, last)) / 8.0;
+        // No multiples of 1/2.
+        let lengths = (eighths(2, 20) + 1.0 / 16.0, eighths(48, 80));
+        let offset = eighths(0, 80);
+        let width = random.between(1, 4) as u32;
+        let line = &ALONG_PIXELS[(index + index / 4) % 4];
+        compare_dashes(line, width, CAPS[index % 4], lengths, offset);
+    }
+}
+
+/// What dashes of a line cover together is their lengths times the width.
+#[test]
+fn dashes_along_rows_and_columns_are_no_longer_than_they_are() {
+    for (line, width) in ALONG_PIXELS
+        .iter()
+        .flat_map(|line| (1..=5).map(move |width| (line, width)))
+    {
+        for eighths in (1..64).step_by(5).filter(|eighths| eighths % 4 != 0) {
+            let dash = f64::from(eighths) / 8.0;
+            let lengths = [dash, 50.0].map(U16F16::from_num);
+            let style = StrokeStyle::new(Gray8::WHITE, width)
+                .cap(LineCap::Butt)
+                .dashes(&lengths);
+            let drawn = coverage(&line.into_styled(style.antialiased()));
+            let sum: f64 = drawn.into_iter().map(|coverage| f64::from(coverage) / 255.0).sum();
+            let error = sum - dash * f64::from(width);
+            assert!(error.abs() <= 0.004 * f64::from(width), "{line:?}, {style:?}: {sum}");
+        }
+    }
+}
+
+/// In dashes of whole and half pixels, lines and corners are those of a stroke that is not antialiased.
+#[test]
+fn dashes_of_half_pixels_lie_along_pixels() {
+    let mut random = Xorshift::new(0x4a1f);
+    let corners = [(3, 5), (38, 5), (38, 30), (20, 30), (20, 12)].map(|(x, y)| Point::new(x, y));
+    for _ in 0..cases(100, 400) {
+        let mut halves = |first, last| f64::from(random.between(first, last)) / 2.0;
+        let lengths = [halves(1, 12), halves(0, 12), halves(1, 5)].map(U16F16::from_num);
+        let offset = I16F16::from_num(halves(-20, 20));
+        let (width, cap) = (random.between(1, 6) as u32, CAPS[random.between(0, 2) as usize]);
         let style = StrokeStyle::new(Gray8::WHITE, width).cap(cap).dashes(&lengths);
-        compare(
-            &format!("{line:?}, {style:?}"),
-            &line.into_styled(style.antialiased()),
-            |x, y| {
-                let (along, across, length) = along(&line, x, y);
-                let half = f64::from(width) / 2.0;
-                (0..60)
-                    .map(|index| f64::from(index) * (dash + gap))
-                    .filter(|begin| *begin < length)
-                    .any(|begin| {
-                        let beyond = (begin - along).max(along - (begin + dash).min(length));
-                        match cap {
-                            LineCap::Round => across.hypot(beyond.max(0.0)) < half,
-                            _ => across.abs() < half && beyond < 0.0,
-                        }
-                    })
-            },
-        );
+        let style = style.dash_offset(offset);
+        for line in ALONG_PIXELS {
+            let [antialiased, sampled] = [
+                coverage(&line.into_styled(style.antialiased())),
+                sampled(&line.into_styled(style)),
+            ];
+            assert_eq!(antialiased, sampled, "{line:?}, {style:?}");
+        }
+        let polyline = Polyline::new(&corners);
+        let [antialiased, sampled] = [
+            coverage(&polyline.into_styled(style.antialiased())),
+            sampled(&polyline.into_styled(style)),
+        ];
+        assert_eq!(antialiased, sampled, "{style:?}");
     }
 }
 

@@ -12,8 +12,9 @@
 //!
 //! Guarantees: corners are those of [`StyledStroke`] rounded to 1/256 pixel; chords of round caps and joins are nowhere
 //! further than 1/64 pixel from the circle. A stroke at whole pixels whose segments all run along rows and columns, with
-//! neither round caps nor round joins nor bevelled corners, has the pixels of one that is not antialiased. Bevelled corners
-//! are covered in part; the sides of their strokes lie along pixels all the same.
+//! neither round caps nor round joins nor bevelled corners, has the pixels of one that is not antialiased, if the lengths of
+//! its dashes and their offset are multiples of half a pixel. Bevelled corners, and the ends of other dashes, are covered in
+//! part; the sides of their strokes lie along pixels all the same.
 
 use core::num::{NonZeroU32, NonZeroU64};
 
@@ -95,6 +96,8 @@ pub(crate) struct StrokeOutline<'a> {
     /// Whether corners at the centres of pixels are moved by half a pixel to the left and upwards, where the sides of
     /// pixels are: strokes of an even width along rows and columns then cover whole pixels.
     is_on_pixels: bool,
+    /// What else all corners are moved by, in 1/256 pixel.
+    shift: Corner,
     is_simple: bool,
 }
 
@@ -107,6 +110,7 @@ impl<'a> StrokeOutline<'a> {
             shape,
             form,
             is_on_pixels: false,
+            shift: Corner::default(),
             is_simple: false,
         };
         let form = &mut outline.form;
@@ -117,9 +121,16 @@ impl<'a> StrokeOutline<'a> {
         let mut is_along_pixels = is_angular && !shape.is_sub_pixel();
         // An odd width has sides along pixels already. There, only ends and some coordinates of bevels would be moved.
         let is_even = form.width_in_halves.is_multiple_of(4);
+        // Of other dashes only the ends at the centres of pixels would be moved, and make them longer.
+        let (mut has_dashes_in_halves, mut axes) = (true, [false; 2]);
         let (mut paths, mut are_rectangles, mut dashes, mut is_near) = (0u32, true, 0u64, true);
         outline.strokes(&mut |stroke| {
             is_along_pixels = is_along_pixels && stroke.is_along_pixels() && (is_even || !stroke.bevels_along_pixels());
+            if is_along_pixels {
+                has_dashes_in_halves &= stroke.has_dashes_in_halves();
+                let [is_upright, is_level] = stroke.axes_along_pixels();
+                axes = [axes[0] | is_upright, axes[1] | is_level];
+            }
             are_rectangles &= stroke.is_one_rectangle();
             dashes = dashes.saturating_add(stroke.most_dashes_along());
             paths = paths.saturating_add(1);
@@ -132,7 +143,10 @@ impl<'a> StrokeOutline<'a> {
             let edges = usize::try_from(dashes.saturating_mul(4)).unwrap_or(usize::MAX);
             return Err(TooSmall::Edges(edges).into());
         }
-        outline.is_on_pixels = is_along_pixels;
+        outline.is_on_pixels = is_along_pixels && has_dashes_in_halves;
+        if is_along_pixels && !has_dashes_in_halves && is_even {
+            outline.shift = axes.map(|has_sides| if has_sides { -PIXEL / 2 } else { 0 });
+        }
         outline.is_simple = paths == 1 && are_rectangles;
         Ok(outline)
     }
@@ -158,15 +172,16 @@ impl<'a> StrokeOutline<'a> {
 
     /// A corner, moved to the sides of pixels from where the stroke's corners are moved there.
     #[inline(always)]
-    pub(crate) fn on_pixels(&self, corner: Corner) -> Corner {
-        corner.map(|units| {
+    pub(crate) fn on_pixels(&self, [x, y]: Corner) -> Corner {
+        let moved = |units: i32, shift: i32| {
             let is_centre = units & (PIXEL - 1) == 0;
             if self.is_on_pixels && is_centre {
                 units.saturating_sub(PIXEL / 2)
             } else {
-                units
+                units.saturating_add(shift)
             }
-        })
+        };
+        [moved(x, self.shift[0]), moved(y, self.shift[1])]
     }
 
     /// Hands over the contour of a convex polygon, unless rounding leaves nothing of it or turns it over.

@@ -123,6 +123,14 @@ impl<'a> DashCycle<'a> {
         ((position + distance) as u64 % self.length) as i64
     }
 
+    /// Whether all lengths and the position where the path begins are multiples of half a pixel. Cost: that of a walk over the
+    /// pattern.
+    pub(crate) fn is_in_halves(&self) -> bool {
+        const MORE: i64 = (1 << (DISTANCE_BITS - 1)) - 1;
+        let mut lengths = (0..self.lengths.len()).map(|index| self.length_of(index));
+        self.start & MORE == 0 && lengths.all(|length| length & MORE == 0)
+    }
+
     /// How much of a dash there is before a position in the cycle; `None` in a gap. Where a dash begins it is 0, where one
     /// ends it is in the gap.
     pub(crate) fn dash_before(&self, position: i64) -> Option<i64> {

@@ -321,11 +321,23 @@ impl<'a> StyledStroke<'a> {
 
     /// Whether a stroke [along pixels](Self::is_along_pixels) may have a corner that is bevelled.
     pub fn bevels_along_pixels(&self) -> bool {
-        let is_upright = |(_, from, to): (usize, Position, Position)| from.0 == to.0;
-        let (mut upright, mut level) = (self.path.segments(), self.path.segments());
-        self.join.bevels_right_angles(self.path.half_width)
-            && upright.any(is_upright)
-            && level.any(|segment| !is_upright(segment))
+        self.join.bevels_right_angles(self.path.half_width) && self.axes_along_pixels() == [true; 2]
+    }
+
+    /// Whether a stroke [along pixels](Self::is_along_pixels) has sides along columns, and whether along rows. Without a
+    /// segment it is level.
+    pub fn axes_along_pixels(&self) -> [bool; 2] {
+        let (mut is_upright, mut is_level) = (false, false);
+        for (_, from, to) in self.path.segments() {
+            is_upright |= from.0 == to.0;
+            is_level |= from.1 == to.1;
+        }
+        [is_upright, is_level || !is_upright]
+    }
+
+    /// Whether there are no dashes, or only lengths of dashes, and an offset, that are multiples of half a pixel.
+    pub fn has_dashes_in_halves(&self) -> bool {
+        self.dashes.is_none_or(|dashes| dashes.is_in_halves())
     }
 
     /// The distance from the middle of the stroke to a side, in 1/65,536 pixel.
