@@ -4,16 +4,19 @@ use std::f64::consts::TAU;
 
 use embedded_graphics::{
     geometry::{Angle, Point, Size},
-    pixelcolor::Gray8,
+    pixelcolor::{Gray8, GrayColor},
     prelude::*,
     primitives::{
         Arc, Circle, CornerRadii, Ellipse, Rectangle, RoundedRectangle, Sector, StrokeAlignment, Styled, Triangle,
     },
 };
-use zrow::draw::{DrawAntialiased, PrimitiveStyle};
+use zrow::{
+    band::Band,
+    draw::{Antialiased, AntialiasingMemory, DrawAntialiased, Picture, PictureSlot, PrimitiveStyle},
+};
 
 use crate::{
-    antialiased_area::{ALIGNMENTS, Xorshift, compare, fill, stroke, widths},
+    antialiased_area::{ALIGNMENTS, AREA, SIDE, Xorshift, compare, coverage, fill, filled, stroke, widths},
     common::cases,
     reference::ideal_coverage::{degrees_from, in_ellipse},
 };
@@ -74,26 +77,132 @@ fn rounded_rectangles() {
         };
         let shape = RoundedRectangle::new(around, corners);
         compare_closed(shape, random.between(1, 4) as u32, |x, y, beyond| {
-            let (left, top) = (f64::from(around.top_left.x) - 0.5, f64::from(around.top_left.y) - 0.5);
-            let (right, bottom) = (left + f64::from(around.size.width), top + f64::from(around.size.height));
-            let corner = |from_left: f64, from_top: f64, radius: Size| {
-                let (across, down) = (f64::from(radius.width) + beyond, f64::from(radius.height) + beyond);
-                let (right, down_from) = (across - from_left, down - from_top);
-                across <= 0.0
-                    || down <= 0.0
-                    || right <= 0.0
-                    || down_from <= 0.0
-                    || (right / across).powi(2) + (down_from / down).powi(2) < 1.0
-            };
-            let (from_left, from_top) = (x - left + beyond, y - top + beyond);
-            let (from_right, from_bottom) = (right + beyond - x, bottom + beyond - y);
-            from_left.min(from_right).min(from_top).min(from_bottom) > 0.0
-                && corner(from_left, from_top, corners.top_left)
-                && corner(from_right, from_top, corners.top_right)
-                && corner(from_right, from_bottom, corners.bottom_right)
-                && corner(from_left, from_bottom, corners.bottom_left)
+            in_rounded_rectangle(&shape, beyond, x, y)
         });
     }
+}
+
+/// Whether a point is in a rounded rectangle whose sides are moved outwards. Where radii do not fit then, all of them are scaled
+/// down, so that the tightest side fits.
+fn in_rounded_rectangle(shape: &RoundedRectangle, beyond: f64, x: f64, y: f64) -> bool {
+    let (around, corners) = (shape.rectangle, shape.corners);
+    let (left, top) = (f64::from(around.top_left.x) - 0.5, f64::from(around.top_left.y) - 0.5);
+    let (width, height) = (f64::from(around.size.width), f64::from(around.size.height));
+    let radii = |radius: Size| [radius.width, radius.height].map(|radius| (f64::from(radius) + beyond).max(0.0));
+    let [top_left, top_right] = [corners.top_left, corners.top_right].map(radii);
+    let [bottom_right, bottom_left] = [corners.bottom_right, corners.bottom_left].map(radii);
+    let fits = |side: f64, one: f64, other: f64| (side + 2.0 * beyond) / (one + other);
+    let factor = fits(width, top_left[0], top_right[0])
+        .min(fits(width, bottom_left[0], bottom_right[0]))
+        .min(fits(height, top_left[1], bottom_left[1]))
+        .min(fits(height, top_right[1], bottom_right[1]))
+        .min(1.0);
+    let corner = |from_left: f64, from_top: f64, radii: [f64; 2]| {
+        let [across, down] = radii.map(|radius| radius * factor);
+        let (right, down_from) = (across - from_left, down - from_top);
+        across <= 0.0
+            || down <= 0.0
+            || right <= 0.0
+            || down_from <= 0.0
+            || (right / across).powi(2) + (down_from / down).powi(2) < 1.0
+    };
+    let (from_left, from_top) = (x - left + beyond, y - top + beyond);
+    let (from_right, from_bottom) = (left + width + beyond - x, top + height + beyond - y);
+    from_left.min(from_right).min(from_top).min(from_bottom) > 0.0
+        && corner(from_left, from_top, top_left)
+        && corner(from_right, from_top, top_right)
+        && corner(from_right, from_bottom, bottom_right)
+        && corner(from_left, from_bottom, bottom_left)
+}
+
+/// Radii of one corner alone that take most of the box: the hole of a stroke inside is scaled down on its own, and is cut off
+/// along the outer curve.
+#[test]
+fn rounded_rectangles_with_a_hole_that_is_cut_off() {
+    for (index, (size, radius, width)) in [
+        ((7, 100), (7, 50), 3),
+        ((7, 40), (7, 40), 3),
+        ((40, 7), (40, 7), 3),
+        ((11, 30), (10, 30), 4),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let mut radii = [Size::zero(); 4];
+        // Of the first one, no other corner is in the area.
+        radii[index] = Size::from(radius);
+        let shape = RoundedRectangle::new(Rectangle::new(Point::zero(), Size::from(size)), corner_radii(radii));
+        compare_closed(shape, width, |x, y, beyond| in_rounded_rectangle(&shape, beyond, x, y));
+        check_cut_off(&shape, width);
+    }
+}
+
+/// Radii beyond the box, and strokes of which nothing may be left inside.
+#[test]
+fn rounded_rectangles_with_radii_that_do_not_fit() {
+    let mut random = Xorshift::new(0x4e42);
+    for _ in 0..cases(400, 4_000) {
+        let top_left = Point::new(random.between(-8, 10), random.between(-8, 10));
+        let size = Size::new(random.between(5, 12) as u32, random.between(20, 44) as u32);
+        let radii = [(); 4].map(|()| {
+            let mut length = |side: u32| random.between(side as i32 - 4, side as i32 + 1) as u32;
+            let radius = Size::new(length(size.width), length(size.height));
+            // A large corner beside sharp ones has an inner curve of another form.
+            if random.between(0, 2) > 0 { Size::zero() } else { radius }
+        });
+        let shape = RoundedRectangle::new(Rectangle::new(top_left, size), corner_radii(radii));
+        check_cut_off(&shape, random.between(1, 4) as u32);
+    }
+}
+
+const fn corner_radii([top_left, top_right, bottom_right, bottom_left]: [Size; 4]) -> CornerRadii {
+    CornerRadii {
+        top_left,
+        top_right,
+        bottom_right,
+        bottom_left,
+    }
+}
+
+/// Whether no stroke of a rounded rectangle, with and without a fill, has a pixel outside of the filled outer shape, and all are
+/// the same in a picture.
+fn check_cut_off(shape: &RoundedRectangle, width: u32) {
+    for alignment in ALIGNMENTS {
+        let style = stroke(width, alignment);
+        let by = style.outside_stroke_width();
+        let corners = shape.corners;
+        let radii = [
+            corners.top_left,
+            corners.top_right,
+            corners.bottom_right,
+            corners.bottom_left,
+        ];
+        let outer = RoundedRectangle::new(
+            shape.rectangle.offset(by as i32),
+            corner_radii(radii.map(|radius| radius + Size::new_equal(by))),
+        );
+        let outer = coverage(&outer.into_styled(fill().antialiased()));
+        for style in [style, filled(Gray8::WHITE, width, alignment)] {
+            let styled = shape.into_styled(style.antialiased());
+            let drawn = coverage(&styled);
+            for ((outer, drawn), pixel) in outer.iter().zip(&drawn).zip(AREA.points()) {
+                assert!(*outer > 0 || *drawn == 0, "{shape:?}, {style:?}, {pixel:?}: {drawn}");
+            }
+            assert_eq!(prepared(&styled), drawn, "{shape:?}, {style:?}");
+        }
+    }
+}
+
+/// The coverage of each pixel by a shape that is prepared in a picture.
+fn prepared(shape: &Styled<RoundedRectangle, Antialiased<PrimitiveStyle<Gray8>>>) -> Vec<u8> {
+    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], vec![0; 4_096], [0; SIDE as usize]);
+    let mut memory = AntialiasingMemory::<{ SIDE as usize + 1 }, 512, 64>::new();
+    let mut picture: Picture<Gray8> =
+        Picture::new(AREA, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
+    picture.add(shape).unwrap();
+    let mut words = vec![0; (SIDE * SIDE) as usize];
+    picture.draw(&mut Band::<Gray8>::new(AREA, &mut words).unwrap());
+    words
 }
 
 /// The middle of a circle's box.

@@ -19,11 +19,11 @@
 use embedded_graphics::{pixelcolor::PixelColor, primitives::StrokeAlignment};
 
 use crate::{
-    coverage::{Combination, edges::AntialiasedEdge},
+    coverage::Combination,
     draw::{
         FillRule, PrimitiveStyle, StrokedShape, SubOutline,
         antialiased::{
-            layers::{AlignedLayer, AlignedSink},
+            layers::{AlignedLayer, AlignedSink, edges_with_height},
             strokes::{StrokeForm, StrokeOutline},
             sub_outline::Corner,
         },
@@ -52,11 +52,6 @@ impl SubOutline for ShapeAndStroke<'_> {
     }
 }
 
-/// Whether a style draws a stroke inside or outside of a shape.
-pub(crate) fn is_aligned<C: PixelColor>(style: &PrimitiveStyle<C>) -> bool {
-    style.stroke_alignment != StrokeAlignment::Center && style.effective_stroke_color().is_some()
-}
-
 /// Hands over the fill of a shape by a rule, and over it the stroke inside or outside of it.
 pub(crate) fn aligned_layers<C: PixelColor, S: SubOutline + StrokedShape>(
     shape: &S,
@@ -78,11 +73,7 @@ pub(crate) fn aligned_layers<C: PixelColor, S: SubOutline + StrokedShape>(
         let Some(color) = color else { continue };
         let stroke = StrokeOutline::new(shape, StrokeForm::solid(width_in_halves))?;
         let outline = ShapeAndStroke { shape, stroke };
-        let mut edges_of_shape = 0u32;
-        outline.shape_edges(&mut |from, to| {
-            let is_level = AntialiasedEdge::from_units(from, to).is_none();
-            edges_of_shape = edges_of_shape.saturating_add((!is_level).into());
-        });
+        let edges_of_shape = edges_with_height(|edge| outline.shape_edges(edge));
         layer(&AlignedLayer {
             outline: &outline,
             edges_of_shape,

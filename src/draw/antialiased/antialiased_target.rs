@@ -15,7 +15,6 @@ use crate::{
     draw::{
         Antialiased, PrimitiveStyle, StrokeStyle, StrokedShape,
         antialiased::{
-            aligned_strokes::is_aligned,
             layers::{AlignedSink, LayerSink, OutlinedShape},
             polygon::AntialiasedPolygon,
             strokes::stroke_layer,
@@ -54,7 +53,8 @@ impl<C: ChannelColor, O: Order> Band<'_, C, O> {
     /// row of pixels. Of circles, ellipses, arcs, sectors and rounded corners only the edges in the rows of the band count, and
     /// of the fill of an ellipse about an axis in the middle or at a side of pixels only those of the left half, which is
     /// mirrored. A stroke inside or outside of a [`Polygon`](crate::draw::Polygon) or a [`Path`](crate::draw::Path), and the
-    /// fill below it, each have the edges of the shape and those of a centred stroke. RAM on a 32-bit machine, on the stack
+    /// fill below it, each have the edges of the shape and those of a centred stroke; where radii of a rounded rectangle exceed
+    /// its sides and the inner side of its stroke leaves the outer one, each has the edges of both, in all rows. RAM on a 32-bit machine, on the stack
     /// while a shape is drawn: `20 * EDGES` bytes for its fill and as many for its stroke, and `64 * ACTIVE`.
     ///
     /// ```
@@ -139,8 +139,8 @@ pub trait DrawAntialiased {
     #[doc(hidden)]
     fn layers(&self, layer: &mut LayerSink<'_, Self::Color>) -> Result<(), InputError>;
 
-    /// Whether [`aligned_layers`](Self::aligned_layers) has the layers of the shape: its stroke lies inside or outside of its
-    /// outline, and is cut off along it.
+    /// Whether [`aligned_layers`](Self::aligned_layers) has the layers of the shape: they are what one outline cuts off from
+    /// another one.
     #[doc(hidden)]
     fn is_cut_off(&self) -> bool {
         false
@@ -217,8 +217,8 @@ pub trait DrawAntialiased {
     }
 }
 
-/// Draws a shape whose stroke is cut off along its outline: the fill and then the stroke, each a combination of the shape and
-/// a centred stroke.
+/// Draws a shape whose fill and stroke are cut off along an outline: the fill and then the stroke, each a combination of two
+/// outlines.
 #[inline(never)]
 fn draw_aligned<
     S: DrawAntialiased + ?Sized,
@@ -288,7 +288,7 @@ impl<S: OutlinedShape, C: PixelColor> DrawAntialiased for Styled<S, Antialiased<
     }
 
     fn is_cut_off(&self) -> bool {
-        S::IS_CUT_OFF && is_aligned(&self.style.0)
+        S::IS_CUT_OFF && self.primitive.is_cut_off(&self.style.0)
     }
 
     fn may_be_mirrored(&self) -> bool {

@@ -10,6 +10,9 @@
 //!   ||+-------+||   the fill reaches to the middle of the stroke, where the stroke has a colour
 //!   |||       |||   inner box: moved inwards by the stroke's inside part
 //! ```
+//!
+//! Radii of a rounded rectangle that do not fit are scaled down, in each box by a factor of its own, which may let the inner
+//! curve leave the outer one. There, stroke and fill are what of them lies inside of the outer curve, as without antialiasing.
 
 use embedded_graphics::{
     geometry::{Dimensions, Size},
@@ -18,11 +21,12 @@ use embedded_graphics::{
 };
 
 use crate::{
+    coverage::Combination,
     draw::{
-        PrimitiveStyle,
+        FillRule, PrimitiveStyle, SubOutline,
         antialiased::{
-            layers::{Layer, LayerSink, OutlinedShape},
-            outline_arc::{OutlineArc, WidePosition},
+            layers::{AlignedLayer, AlignedSink, Layer, LayerSink, OutlinedShape, edges_with_height},
+            outline_arc::{Corner, OutlineArc, WidePosition},
             round_outline::{RoundContour, RoundOutline},
             turn::TURN,
         },
@@ -181,20 +185,150 @@ fn ellipse_layers<C: PixelColor>(
     layers(style, &Reaches::of(style), false, &contour, layer)
 }
 
+/// The curve of a rounded rectangle in its box, moved outwards by so many 1/256 pixels; `None` where nothing is left of it.
+fn rounded_contour(shape: &RoundedRectangle, reach: i64) -> Result<Option<RoundContour>, InputError> {
+    let rounded = |around: OutlineBox| rounded_rectangle(&around, &shape.corners, reach);
+    OutlineBox::of(&shape.rectangle).outset(reach).map(rounded).transpose()
+}
+
 impl OutlinedShape for RoundedRectangle {
-    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
-        let around = OutlineBox::of(&self.rectangle);
-        let contour = |reach: i64| {
-            let rounded = |around: OutlineBox| rounded_rectangle(&around, &self.corners, reach);
-            around.outset(reach).map(rounded).transpose()
+    const IS_CUT_OFF: bool = true;
+
+    /// Whether the inner side of the stroke, or the fill below it, leaves the stroke's outer side. Cost: comparisons of radii and
+    /// sides; where some do not fit, the contours are computed, and mostly none of their corners.
+    fn is_cut_off<C: PixelColor>(&self, style: &PrimitiveStyle<C>) -> bool {
+        let reaches = Reaches::of(style);
+        if style.effective_stroke_color().is_none() || have_room(self, style.inside_stroke_width()) {
+            return false;
+        }
+        // Where one of them leaves the domain, `layers` says so.
+        let contour = |reach: i64| rounded_contour(self, reach).ok().flatten();
+        let (Some(outer), Some(inner)) = (contour(reaches.outer), contour(reaches.inner)) else {
+            return false;
         };
+        let leaves = |contour: &RoundContour, reach: i64| !is_inside(contour, &outer, reaches.outer - reach);
+        let middle = style.fill_color.and_then(|_| contour(reaches.middle));
+        leaves(&inner, reaches.inner) || middle.is_some_and(|middle| leaves(&middle, reaches.middle))
+    }
+
+    fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
+        let contour = |reach: i64| rounded_contour(self, reach);
         layers(style, &Reaches::of(style), false, &contour, layer)
+    }
+
+    fn aligned_layers<C: PixelColor>(
+        &self,
+        style: &PrimitiveStyle<C>,
+        layer: &mut AlignedSink<'_, C>,
+    ) -> Result<(), InputError> {
+        let reaches = Reaches::of(style);
+        let contour = |reach: i64| rounded_contour(self, reach);
+        let (Some(outer), Some(inner)) = (contour(reaches.outer)?, contour(reaches.inner)?) else {
+            return Ok(());
+        };
+        let middle = contour(reaches.middle)?.unwrap_or(inner);
+        let layers = [
+            (style.fill_color, Combination::Both, middle),
+            (style.effective_stroke_color(), Combination::ShapeAlone, inner),
+        ];
+        for (color, combination, inner) in layers {
+            let Some(color) = color else { continue };
+            let outline = TwoContours([outer, inner].map(RoundOutline::new));
+            let [outer, _] = &outline.0;
+            layer(&AlignedLayer {
+                outline: &outline,
+                edges_of_shape: edges_with_height(|edge| outer.edges(edge)),
+                fill_rule: FillRule::NonZero,
+                combination,
+                color,
+            })?;
+        }
+        Ok(())
     }
 
     fn may_meet(&self, window: &Window, stroke_width: u32) -> bool {
         may_meet(&self.bounding_box(), window, stroke_width)
     }
 }
+
+/// A contour and, in the place of a stroke, another one.
+struct TwoContours([RoundOutline; 2]);
+
+impl SubOutline for TwoContours {
+    fn edges(&self, edge: &mut dyn FnMut(Corner, Corner)) {
+        for contour in &self.0 {
+            contour.edges(edge);
+        }
+    }
+}
+
+/// Whether the radii of a rounded rectangle fit in its box, and those of the inner side of its stroke in theirs: none of them
+/// are scaled down.
+fn have_room(shape: &RoundedRectangle, inside: u32) -> bool {
+    let Size { width, height } = shape.rectangle.size;
+    let CornerRadii {
+        top_left,
+        top_right,
+        bottom_right,
+        bottom_left,
+    } = shape.corners;
+    let sides = [
+        (top_left.width, top_right.width, width),
+        (bottom_left.width, bottom_right.width, width),
+        (top_left.height, bottom_left.height, height),
+        (top_right.height, bottom_right.height, height),
+    ];
+    let inside = u64::from(inside);
+    let fits = |(one, other, side): (u32, u32, u32), by: u64| {
+        let [one, other] = [one, other].map(|radius| u64::from(radius).saturating_sub(by));
+        one + other <= u64::from(side).saturating_sub(2 * by)
+    };
+    sides.into_iter().all(|side| fits(side, 0) && fits(side, inside))
+}
+
+/// Whether the contour of a rounded rectangle lies in another one whose box is larger by a distance on each side.
+///
+/// Radii that are smaller by that distance, or larger than that, have all of their arc inside. Else no corner of the contour
+/// may be cut off by the other one, which is convex.
+fn is_inside(inner: &RoundContour, outer: &RoundContour, distance: i64) -> bool {
+    // Scaled radii are rounded down by less than 1/256 pixel.
+    let reaches = |(inner, outer): (u32, u32)| i64::from(inner) + 1 + distance >= i64::from(outer);
+    let mut arcs = inner.arcs().iter().zip(outer.arcs());
+    let are_nested = arcs.all(|(inner, outer)| inner.radii.into_iter().zip(outer.radii).all(reaches));
+    are_nested || {
+        let mut corners = (0..inner.corners()).map(|index| inner.corner(index));
+        let is_cut_off = |corner: Corner| {
+            outer
+                .arcs()
+                .iter()
+                .zip(OUTWARDS)
+                .any(|(arc, to)| cuts_off(arc, to, corner))
+        };
+        !corners.any(is_cut_off)
+    }
+}
+
+/// Whether a corner lies outside of a quarter of an ellipse, on the side of that from its centre, or less than 1/64 pixel inside,
+/// where the chords are.
+fn cuts_off(arc: &OutlineArc, [to_right, downwards]: [i64; 2], [x, y]: Corner) -> bool {
+    const TOLERANCE: u32 = 4;
+    let [center_x, center_y] = arc.center.map(i64::from);
+    let (right, below) = (
+        to_right * (i64::from(x) - center_x),
+        downwards * (i64::from(y) - center_y),
+    );
+    if right <= 0 || below <= 0 {
+        return false;
+    }
+    let squares = [right, below].map(|distance| i128::from(distance).pow(2));
+    let [across, down] = arc
+        .radii
+        .map(|radius| i128::from(radius.saturating_sub(TOLERANCE)).pow(2));
+    squares[0] * down + squares[1] * across > across * down
+}
+
+/// Right and down from the centre to the arc of each corner of a rounded rectangle, in the order of its contour.
+const OUTWARDS: [[i64; 2]; 4] = [[1, -1], [1, 1], [-1, 1], [-1, -1]];
 
 /// The contour along the sides of a box.
 fn rectangle(around: &OutlineBox) -> Result<RoundContour, InputError> {
@@ -252,10 +386,10 @@ fn rounded_rectangle(around: &OutlineBox, corners: &CornerRadii, reach: i64) -> 
     };
     // From the top on, so that the contour has two chains in y.
     Ok(RoundContour::new(&[
-        arc(top_right, [1, -1], 3)?,
-        arc(bottom_right, [1, 1], 0)?,
-        arc(bottom_left, [-1, 1], 1)?,
-        arc(top_left, [-1, -1], 2)?,
+        arc(top_right, OUTWARDS[0], 3)?,
+        arc(bottom_right, OUTWARDS[1], 0)?,
+        arc(bottom_left, OUTWARDS[2], 1)?,
+        arc(top_left, OUTWARDS[3], 2)?,
     ]))
 }
 

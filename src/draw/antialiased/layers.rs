@@ -2,11 +2,11 @@
 
 use core::fmt;
 
-use embedded_graphics::pixelcolor::PixelColor;
+use embedded_graphics::{pixelcolor::PixelColor, primitives::StrokeAlignment};
 
 use crate::{
-    coverage::Combination,
-    draw::{FillRule, PrimitiveStyle, SubOutline},
+    coverage::{Combination, edges::AntialiasedEdge},
+    draw::{FillRule, PrimitiveStyle, SubOutline, antialiased::sub_outline::Corner},
     geometry::{InputError, Window},
 };
 
@@ -52,7 +52,7 @@ impl<'o, C> Layer<'o, C> {
 /// A function that takes the layers of a shape, from the lowest one on.
 pub type LayerSink<'s, C> = dyn FnMut(&Layer<'_, C>) -> Result<(), InputError> + 's;
 
-/// A combination of a shape and its stroke in one colour, to be blended over what lies below it.
+/// A combination of a shape and its stroke, or of two contours, in one colour, to be blended over what lies below it.
 #[derive(Copy, Clone)]
 pub struct AlignedLayer<'o, C> {
     /// The outline of the shape and then that of the stroke, in 1/256 pixel.
@@ -85,7 +85,17 @@ impl<C> defmt::Format for AlignedLayer<'_, C> {
     }
 }
 
-/// A function that takes the layers of a shape with a stroke inside or outside, from the lowest one on.
+/// How many of some edges are not level.
+pub(crate) fn edges_with_height(edges: impl FnOnce(&mut dyn FnMut(Corner, Corner))) -> u32 {
+    let mut count = 0u32;
+    edges(&mut |from, to| {
+        let is_level = AntialiasedEdge::from_units(from, to).is_none();
+        count = count.saturating_add((!is_level).into());
+    });
+    count
+}
+
+/// A function that takes the layers of a shape that are cut off, from the lowest one on.
 pub type AlignedSink<'s, C> = dyn FnMut(&AlignedLayer<'_, C>) -> Result<(), InputError> + 's;
 
 /// A shape whose fill and stroke have outlines: it can be drawn antialiased in a [`PrimitiveStyle`].
@@ -93,8 +103,8 @@ pub type AlignedSink<'s, C> = dyn FnMut(&AlignedLayer<'_, C>) -> Result<(), Inpu
 /// Where both are drawn, the fill reaches to the middle of the stroke, so that nothing of what lies below shows between
 /// them.
 pub trait OutlinedShape {
-    /// Whether a stroke inside or outside of the shape is what its outline cuts off from a wider stroke, so that
-    /// [`aligned_layers`](Self::aligned_layers) has the layers. A constant, so that what draws them is linked for such shapes only.
+    /// Whether [`is_cut_off`](Self::is_cut_off) may be true. A constant, so that what draws such layers is linked for such shapes
+    /// only.
     #[doc(hidden)]
     const IS_CUT_OFF: bool = false;
 
@@ -102,6 +112,13 @@ pub trait OutlinedShape {
     /// outlines is linked for such shapes only.
     #[doc(hidden)]
     const MAY_BE_MIRRORED: bool = false;
+
+    /// Whether fill or stroke are what one outline cuts off from another one, so that [`aligned_layers`](Self::aligned_layers)
+    /// has the layers: where not said otherwise, those of a stroke inside or outside of the shape.
+    #[doc(hidden)]
+    fn is_cut_off<C: PixelColor>(&self, style: &PrimitiveStyle<C>) -> bool {
+        style.stroke_alignment != StrokeAlignment::Center && style.effective_stroke_color().is_some()
+    }
 
     /// Calls `layer` with the outline of the fill and then with that of the stroke, if they are not empty and have a
     /// colour.
@@ -112,7 +129,7 @@ pub trait OutlinedShape {
     #[doc(hidden)]
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError>;
 
-    /// Calls `layer` with the fill of the shape and then with its stroke, where that lies inside or outside.
+    /// Calls `layer` with the fill of the shape and then with its stroke, where they are [cut off](Self::is_cut_off).
     ///
     /// # Errors
     /// [`InputError::OutOfDomain`] where the shape leaves the domain of [`Sub8`](crate::geometry::Sub8). The first error that `layer` returns.
@@ -136,6 +153,10 @@ pub trait OutlinedShape {
 impl<S: OutlinedShape> OutlinedShape for &S {
     const IS_CUT_OFF: bool = S::IS_CUT_OFF;
     const MAY_BE_MIRRORED: bool = S::MAY_BE_MIRRORED;
+
+    fn is_cut_off<C: PixelColor>(&self, style: &PrimitiveStyle<C>) -> bool {
+        S::is_cut_off(self, style)
+    }
 
     fn layers<C: PixelColor>(&self, style: &PrimitiveStyle<C>, layer: &mut LayerSink<'_, C>) -> Result<(), InputError> {
         S::layers(self, style, layer)
