@@ -9,7 +9,8 @@ use embedded_graphics::{
     primitives::StrokeAlignment,
 };
 use zrow::{
-    draw::{DrawAntialiased, FillRule, Path, PathCommand, Polygon, PrimitiveStyle},
+    draw::{DrawAntialiased, FillRule, Path, PathCommand, Polygon, PrimitiveStyle, SubArc, SubEllipse, SubLine},
+    fixed::types::{U0F16, U24F8},
     geometry::{DrawError, Sub8, SubPoint, TooSmall, Window},
 };
 
@@ -306,6 +307,31 @@ fn too_small_a_table_is_an_error_with_the_edges_of_both() {
     };
     assert!(matches!(error, TooSmall::ActiveEdges(_)), "{error}");
     shape.draw_on(&mut band.antialiased::<27, 27>(&mut row)).unwrap();
+}
+
+/// An arc and a line with a width are filled whole, too: their strokes run around them.
+#[test]
+fn a_stroke_without_a_colour_is_none_around_an_arc_and_a_line() {
+    let at = |(x, y): (i32, i32)| SubPoint::<Sub8>::from_units(x * 64, y * 64).unwrap();
+    let pixels = U24F8::from_num;
+    let arc = SubArc::new(at((80, 80)), [pixels(15), pixels(6)], U0F16::ZERO, U0F16::from_num(0.3)).unwrap();
+    let line = SubLine::new(at((10, 20)), at((130, 90)), pixels(9)).unwrap();
+    let circle = SubEllipse::circle(at((80, 80)), pixels(15)).unwrap();
+    let fill = PrimitiveStyle::with_fill(Gray8::WHITE);
+    for alignment in [
+        StrokeAlignment::Inside,
+        StrokeAlignment::Center,
+        StrokeAlignment::Outside,
+    ] {
+        let mut style = filled(Gray8::WHITE, 4, alignment);
+        style.stroke_color = None;
+        let (style, fill) = (style.antialiased(), fill.antialiased());
+        assert_eq!(coverage(&arc.into_styled(style)), coverage(&arc.into_styled(fill)));
+        assert_eq!(coverage(&line.into_styled(style)), coverage(&line.into_styled(fill)));
+        // Any other shape leaves the stroke out.
+        let is_whole = coverage(&circle.into_styled(style)) == coverage(&circle.into_styled(fill));
+        assert_eq!(is_whole, alignment == StrokeAlignment::Outside);
+    }
 }
 
 /// A style without a stroke's colour draws the fill alone, as wide as the shape.

@@ -201,6 +201,30 @@ fn words_of<'s>(shapes: impl IntoIterator<Item = &'s Shape>) -> usize {
     picture.words_used()
 }
 
+/// Four words, and those of chains or of arcs.
+#[test]
+fn words_of_outlines() {
+    fn words(outline: &dyn SubOutline) -> usize {
+        let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 200]);
+        let mut memory = AntialiasingMemory::<51, 64, 0>::new();
+        let mut picture: Picture<Rgb565> =
+            Picture::new(AREA, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
+        picture.add_outline(outline, FillRule::NonZero, Rgb565::RED).unwrap();
+        picture.words_used()
+    }
+    let at = |x: i32, y: i32| point((x * 64, y * 64));
+    // Up and down, two corners each: sides along pixels are level.
+    let square = |side: i32| Contours::Corners(vec![vec![at(8, 8), at(8 + side, 8), at(8 + side, 99), at(8, 99)]]);
+    assert_eq!(words(&square(90)), 4 + 2 * (1 + 2));
+    assert_eq!(words(&square(90_000 / 64)), 5 + 2 * (2 + 4));
+    // A sector of a band: an arc outside, one inside, and up to the top and down from it a chain each.
+    let arc = |radius: [u32; 2]| {
+        let radii = radius.map(|pixels| U24F8::from_num(pixels));
+        SubArc::new(at(81, 82), radii, U0F16::ZERO, U0F16::from_num(0.2)).unwrap()
+    };
+    assert_eq!(words(&arc([60, 50])), 4 + 2 * 7 + 2 * 2);
+}
+
 proptest! {
     #![proptest_config(config(cases(250, 2_000)))]
 

@@ -9,7 +9,11 @@ use embedded_graphics::{
     primitives::{Circle, Ellipse, Line, PrimitiveStyleBuilder, Rectangle, Triangle},
     text::Text,
 };
-use zrow::{band::Band, draw::DrawOn, geometry::Window};
+use zrow::{
+    band::Band,
+    draw::{DrawOn, ItemId},
+    geometry::{InputError, Window},
+};
 
 use crate::{
     picture_display::in_bands,
@@ -53,6 +57,39 @@ fn a_needle_and_a_value_change_few_pixels() {
         }
         // The value takes 1,400 of them; 3,900 are 5 percent of the panel.
         assert!(most <= bound, "{most} for a needle {width} px wide");
+    }
+}
+
+/// What is documented of the pool of a picture.
+#[test]
+fn words_of_closed_shapes() {
+    fn words_of(add: impl FnOnce(&mut Prepared<'_, '_>) -> Result<ItemId, InputError>) -> usize {
+        let (mut slots, mut pool) = ([Slot::EMPTY; 1], [0; 64]);
+        let mut picture = Prepared::new(AREA, &mut slots, &mut pool, &mut []);
+        add(&mut picture).unwrap();
+        picture.words_used()
+    }
+    let rectangle = Rectangle::new(Point::new(3, 4), Size::new(30, 20));
+    let circle = Circle::new(Point::new(3, 4), 20);
+    let ellipse = Ellipse::new(Point::new(3, 4), Size::new(30, 20));
+    let fill = Style::with_fill(Rgb565::BLUE);
+    for width in 1..6 {
+        let stroke = Style::with_stroke(Rgb565::RED, width);
+        let mut both = stroke;
+        both.fill_color = fill.fill_color;
+        let styles = [
+            (fill, [0, 0, 0]),
+            (stroke, [2, if width == 1 { 0 } else { 4 }, 4]),
+            (both, [2, 4, 4]),
+        ];
+        for (style, words) in styles {
+            let used = [
+                words_of(|picture| picture.add(&rectangle.into_styled(style))),
+                words_of(|picture| picture.add(&circle.into_styled(style))),
+                words_of(|picture| picture.add(&ellipse.into_styled(style))),
+            ];
+            assert_eq!(used, words, "{style:?}");
+        }
     }
 }
 

@@ -299,6 +299,25 @@ fn words_of_a_stroke() {
     }
 }
 
+/// A word for each contour, and one more word where the stroke lies over a fill or on one side.
+#[test]
+fn words_of_a_stroke_of_several_contours() {
+    let square = [(10, 10), (40, 10), (40, 40), (10, 40)];
+    let words = |contours: usize, style| {
+        with_picture(AREA, |picture| {
+            polygon(&vec![square.as_slice(); contours], style).add(picture).unwrap();
+            picture.words_used()
+        })
+    };
+    for contours in 1..5 {
+        let corners = square.len() * contours;
+        let alone = 7 + contours + (2 + 2) * corners + 19 * 5 * contours;
+        assert_eq!(words(contours, stroke(3)), alone);
+        let fill = words(contours, Style::with_fill(Rgb565::BLUE));
+        assert_eq!(words(contours, over_fill(3)), 1 + alone + fill);
+    }
+}
+
 /// A stroke inside or outside takes what a centred one of twice the width does, and what the fill does.
 #[test]
 fn words_of_a_stroke_aside() {

@@ -31,8 +31,8 @@ pub(super) const NEVER_QUIET: i16 = i16::MIN;
 /// added.
 ///
 /// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses, thin lines and outlines of
-/// circles one pixel wide, 9 for a triangle, 10 for a wider line, 4 for any other stroked circle, ellipse or rectangle, one a
-/// character and one more for a text, some for each corner of a polygon), and buckets of rows. One bucket for each row of the
+/// circles one pixel wide, 9 for a triangle, 10 for a wider line, 2 for a stroked rectangle, 4 for any other stroked circle or
+/// ellipse, one a character and one more for a text, some for each corner of a polygon), and buckets of rows. One bucket for each row of the
 /// picture is fastest, fewer work as well. What is too small is an error that says how much is needed; a picture has up to
 /// 65,535 items, whose words begin within the first 65,536.
 ///
@@ -207,7 +207,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     ///
     /// Polygons and paths have the pixels of their prepared forms, fill and stroke, without tables: the fill takes 12 bytes of the
     /// pool, for each y-monotone chain of its edges 4 bytes and 4 for each corner (8 where one is more than 32,767 units from the first
-    /// one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 40 bytes and 8 for each vertex; one of one
+    /// one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 32 bytes, 4 for each contour and 8 for each vertex; one of one
     /// pixel's width also 16 for each segment that one row meets at most, a wider one, or any one of a polygon, 4 for each segment and
     /// each join, and 76 for each that one row meets at most, and inside or outside of a polygon what the fill takes; one in a
     /// `StrokeStyle` 52 bytes, 4 for each length of its dashes, 4 for each path and 8 for each vertex, 8 more with dashes; and,

@@ -47,7 +47,7 @@ pub struct PrimitiveStyle<C: PixelColor> {
     pub fill_color: Option<C>,
     /// Colour of the stroke; `None` draws no stroke. The stroke's inner part is left out of the fill all the same,
     /// except in a [`ThinCircle`](crate::draw::ThinCircle), in a [`Path`](crate::draw::Path), and in an antialiased
-    /// [`Polygon`](crate::draw::Polygon).
+    /// [`Polygon`](crate::draw::Polygon), [`SubArc`](crate::draw::SubArc) or [`SubLine`](crate::draw::SubLine).
     pub stroke_color: Option<C>,
     /// Width of the stroke in pixels; 0 is no stroke.
     pub stroke_width: u32,
