@@ -89,6 +89,9 @@ fn units(text: &str) -> Option<i32> {
         None => (false, text),
     };
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    if !fraction.bytes().all(|digit| digit.is_ascii_digit()) {
+        return None;
+    }
     // Up to eight digits of a fraction: 1/256 has as many.
     let fraction = fraction.get(..8).unwrap_or(fraction);
     let scale = 10i64.pow(fraction.len() as u32);
@@ -146,7 +149,7 @@ mod tests {
         ] {
             assert_eq!(units(text), Some(expected), "{text}");
         }
-        for wrong in ["", "x", "1.x", "1.-5", "--1", "99999"] {
+        for wrong in ["", "x", "1.x", "1.-5", "1.+5", "--1", "99999", "0.1234567ééééééé"] {
             assert_eq!(units(wrong), None, "{wrong}");
         }
     }
