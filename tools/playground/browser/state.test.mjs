@@ -17,7 +17,8 @@ test("an address that was written is read as what it was", () => {
 
 test("what cannot be read is left out", () => {
   const state = read(
-    "pot=kettle&rows=x&turn=-1&item=&item=line,00ff00,3,1:2&item=blob,000000,0,0:0&item=text,000000,9,1:1,%&=&a&selected=9",
+    "pot=kettle&rows=x&turn=-1&item=&item=line,00ff00,3,1:2&item=blob,000000,0,0:0" +
+      "&item=toString,ff0000,0,1:1&item=__proto__,ff0000,0,1:1&item=text,000000,9,1:1,%&=&a&selected=9",
   );
   assert.equal(state.pot, "none");
   assert.deepEqual([state.rows, state.turn, state.selected], [1, 496, 0]);

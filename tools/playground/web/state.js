@@ -139,7 +139,7 @@ function set(state, key, value) {
 
 function readItem(value) {
   const [kind, color, size, points = "", text = ""] = value.split(",");
-  if (!(kind in NEEDED_POINTS) || !/^[0-9a-f]{6}$/i.test(color) || !isDecimal(size)) return null;
+  if (!Object.hasOwn(NEEDED_POINTS, kind) || !/^[0-9a-f]{6}$/i.test(color) || !isDecimal(size)) return null;
   const read = points.split(";").map(readPoint).filter(Boolean).slice(0, MOST_POINTS);
   if (read.length < NEEDED_POINTS[kind]) return null;
   return {
