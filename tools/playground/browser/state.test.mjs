@@ -3,7 +3,19 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { address, picture, read } from "../web/state.js";
+import { MOST_BYTES } from "../web/engine.js";
+import {
+  DEPTHS,
+  FARTHEST,
+  METHODS,
+  MOST_ITEMS,
+  MOST_POINTS,
+  POTS,
+  PRECISIONS,
+  address,
+  picture,
+  read,
+} from "../web/state.js";
 
 test("an address that was written is read as what it was", () => {
   const text =
@@ -33,4 +45,24 @@ test("positions are kept in 1/256 pixel", () => {
     [1, 2.30078125],
     [1280, 0],
   ]);
+});
+
+test("the program has room for the longest state", () => {
+  const longest = (texts) => texts.toSorted((one, other) => other.length - one.length)[0];
+  const named = (choices) => longest(choices.map(([name]) => name));
+  const points = Array(MOST_POINTS).fill(Array(2).fill(-FARTHEST + 1 / 256).join(":")).join(";");
+  const items = [`even_odd,ff8000,319.99609375,${points}`, `text,ff8000,319.99609375,${points},${"%2C".repeat(24)}`];
+  const item = `item=${longest(items)}`;
+  const keys = Object.entries({
+    pot: named(POTS),
+    turn: 496,
+    tilt: 504,
+    method: named(METHODS),
+    precision: named(PRECISIONS),
+    rows: 16,
+    depth: named(DEPTHS),
+  });
+  const text = [...keys.map((pair) => pair.join("=")), ...Array(MOST_ITEMS).fill(item)].join("&");
+  assert.equal(picture(read(text)), text);
+  assert.ok(text.length <= MOST_BYTES, `${text.length} of ${MOST_BYTES} bytes`);
 });

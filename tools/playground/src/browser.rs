@@ -9,7 +9,7 @@ use std::{
 
 use anyhow::{Context, bail, ensure};
 use serde_json::json;
-use zrow_playground_scene::{Depth, Method, PRESETS, Playground, Pot, Precision};
+use zrow_playground_scene::{Depth, ITEMS, Method, POINTS, PRESETS, Playground, Pot, Precision};
 
 use crate::native;
 
@@ -95,7 +95,24 @@ fn addresses() -> Vec<String> {
             .iter()
             .map(|depth| replaced(&textured, "depth", depth.name())),
     );
+    addresses.push(full(&shapes));
     addresses
+}
+
+/// A state with as many items of as many points as there may be, all of them between whole pixels.
+fn full(address: &str) -> String {
+    let pairs = address.split('&').filter(|pair| !pair.starts_with("item="));
+    let mut text = pairs.collect::<Vec<_>>().join("&");
+    for item in 0..ITEMS {
+        let (left, top) = (5 + 80 * (item % 3), 5 + 80 * (item / 3));
+        let points = (0..POINTS).map(|point| {
+            let (x, y) = (left + 29 * point % 71, top + 43 * point % 71);
+            format!("{x}.00390625:{y}.00390625")
+        });
+        let points = points.collect::<Vec<_>>().join(";");
+        text += &format!("&item=even_odd,{:06x},0,{points}", 0x13_5790 * (item + 1));
+    }
+    text
 }
 
 /// What of an address the picture depends on.

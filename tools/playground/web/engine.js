@@ -2,6 +2,9 @@
 
 import { WIDTH, HEIGHT, picture } from "./state.js";
 
+/** The most bytes of a state that the program has room for: `ADDRESS` in wasm/src/border.rs. */
+export const MOST_BYTES = 8192;
+
 /** Starts the program, which the page holds compressed, as base64. */
 export async function start(base64) {
   const compressed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -20,8 +23,9 @@ class Engine {
   /** Draws a state; returns why not, or null. */
   draw(state) {
     const text = this.encoder.encode(picture(state));
-    new Uint8Array(this.exports.memory.buffer, this.exports.address_buffer(), 4096).set(text.subarray(0, 4096));
-    return this.exports.draw(Math.min(text.length, 4096)) === 0
+    if (text.length > MOST_BYTES) return "The items have a longer text than the playground has memory for.";
+    new Uint8Array(this.exports.memory.buffer, this.exports.address_buffer(), text.length).set(text);
+    return this.exports.draw(text.length) === 0
       ? null
       : "An item has more edges than the playground has memory for.";
   }

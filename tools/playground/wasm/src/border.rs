@@ -6,8 +6,8 @@ use zrow_playground_scene::{Depth, EDGES, HEIGHT, PanelColor, Playground, WIDTH}
 
 use crate::canvas::{Canvas, Pixels};
 
-/// The most bytes of a state.
-const ADDRESS: usize = 4096;
+/// The most bytes of a state: `MOST_BYTES` in web/engine.js. Twelve texts of 16 points take 7,098.
+const ADDRESS: usize = 8192;
 /// Numbers of an edge: x and y of both ends.
 const EDGE: usize = 4;
 
@@ -47,7 +47,7 @@ macro_rules! buffers {
 }
 
 buffers! {
-    /// Where the page writes the text of a state, in UTF-8; it has room for 4,096 bytes.
+    /// Where the page writes the text of a state, in UTF-8; it has room for 8,192 bytes.
     address_buffer: address;
     /// Red, green, blue and 255 for each pixel of the panel, row by row.
     pixel_buffer: pixels;
