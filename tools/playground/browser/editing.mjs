@@ -40,7 +40,29 @@ export async function checkEditing(page, url, checksum) {
   assert.deepEqual(await shown(page, checksum), last, "the address brings the picture back");
 
   await checkScan(page, checksum, last);
+  await checkNumbers(page, url, checksum);
   console.log("points are dragged and moved by keys, the address follows, and the scan ends with the picture");
+}
+
+/** Numbers that are typed go to the nearest 1/256 pixel, whatever the step of the buttons; without a number, nothing changes. */
+async function checkNumbers(page, url, checksum) {
+  await page.goto("about:blank");
+  await page.goto(`${url}#item=text,f4f4ec,200,20:200,Text`);
+  await page.waitForSelector("html[data-ready]");
+  const item = async () => /item=([^&]*)/.exec((await settled(page, checksum)).hash)[1];
+  for (const [id, typed, expected] of [
+    ["#x", "120.1", "text,f4f4ec,200,120.1015625:200,Text"],
+    ["#y", "-3.3", "text,f4f4ec,200,120.1015625:-3.30078125,Text"],
+    ["#y", "5000", "text,f4f4ec,200,120.1015625:1280,Text"],
+    ["#size", "199", "text,f4f4ec,199,120.1015625:1280,Text"],
+    ["#size", "", "text,f4f4ec,199,120.1015625:1280,Text"],
+    ["#size", "400", "text,f4f4ec,320,120.1015625:1280,Text"],
+    ["#x", "", "text,f4f4ec,320,120.1015625:1280,Text"],
+    ["#text", "", "text,f4f4ec,320,120.1015625:1280,"],
+  ]) {
+    await page.locator(id).fill(typed);
+    assert.equal(await item(), expected, `${typed} in ${id}`);
+  }
 }
 
 /** The scan shows a part of the picture, and in the end all of it. */

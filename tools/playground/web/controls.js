@@ -5,6 +5,7 @@ import {
   FARTHEST,
   HEIGHT,
   KINDS,
+  LARGEST,
   METHODS,
   MOST_ITEMS,
   MOST_POINTS,
@@ -110,25 +111,27 @@ export class Controls {
     const ofItem = (id, apply) =>
       this.input(id, (state, target) => {
         const item = state.items[state.selected];
-        if (item && target.checkValidity()) apply(item, target.value, state);
+        if (item) apply(item, target.value, state);
+      });
+    // Any number may stand there, whatever the step of the buttons: it goes to the nearest 1/256 pixel. What is no number is "".
+    const ofNumber = (id, low, high, apply) =>
+      ofItem(id, (item, value, state) => {
+        if (value !== "") apply(item, Math.min(Math.max(snapped(Number(value)), low), high), state);
       });
     ofItem("color", (item, value) => {
       item.color = value.slice(1);
     });
-    ofItem("size", (item, value) => {
-      item.size = Math.min(Math.max(snapped(Number(value)), 0), 160);
+    ofNumber("size", 0, LARGEST, (item, pixels) => {
+      item.size = pixels;
     });
     ofItem("text", (item, value) => {
       item.text = printable(value);
     });
-    const move = (axis) => (item, value, state) => {
-      if (value !== "")
-        item.points[state.point][axis] = Math.min(Math.max(snapped(Number(value)), -FARTHEST), FARTHEST);
-    };
-    ofItem("x", move(0));
-    ofItem("y", move(1));
-    // Any number of 1/256 pixel may stand there, whatever the step of the buttons.
-    for (const id of ["x", "y", "size"]) element(id).form?.setAttribute("novalidate", "");
+    ["x", "y"].forEach((id, axis) =>
+      ofNumber(id, -FARTHEST, FARTHEST, (item, pixels, state) => {
+        item.points[state.point][axis] = pixels;
+      }),
+    );
   }
 
   itemButtons() {

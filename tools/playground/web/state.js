@@ -56,7 +56,8 @@ export const rowsTitle = (rows) => (rows === 0 ? `all ${HEIGHT} rows` : rows ===
 const NEEDED_POINTS = { polygon: 3, even_odd: 3, line: 2, circle: 2, text: 1 };
 /** The farthest coordinate of a point, in pixels. */
 export const FARTHEST = 1280;
-const LARGEST = 320;
+/** The largest width of a line and size of a text, in pixels. */
+export const LARGEST = 320;
 
 const names = (choices) => choices.map(([name]) => name);
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
