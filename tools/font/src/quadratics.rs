@@ -70,37 +70,33 @@ impl QuadraticPen {
     /// # Errors
     /// A point that is not in the range of 16-bit numbers.
     pub fn contours(self) -> anyhow::Result<Vec<Vec<Point>>> {
-        let contours = self.contours.into_iter().map(without_implied);
-        let rounded: Vec<Vec<Point>> = contours
-            .map(|contour| rounded(&contour))
-            .collect::<anyhow::Result<_>>()?;
+        let rounded: Vec<Vec<Point>> = self.contours.into_iter().map(rounded).collect::<anyhow::Result<_>>()?;
         Ok(rounded.into_iter().filter(|contour| contour.len() > 2).collect())
     }
 }
 
-/// A contour without the points that lie in the middle between two control points, and without its first point once more at its
-/// end. The first point stays.
-fn without_implied(mut contour: Vec<Exact>) -> Vec<Exact> {
+/// Whether a point of a contour lies in the middle between two control points.
+fn is_implied(contour: &[Exact], index: usize) -> bool {
+    let (Some(before), Some(after)) = (contour.get(index.wrapping_sub(1)), contour.get(index + 1)) else {
+        return false;
+    };
+    let off = |axis: usize| (before.at[axis] + after.at[axis]) / 2.0 - contour[index].at[axis];
+    let is_between = contour[index].is_on_contour && !before.is_on_contour && !after.is_on_contour;
+    is_between && off(0).abs() <= IMPLIED && off(1).abs() <= IMPLIED
+}
+
+/// A contour in whole units, without its first point once more at its end, lines and curves that have no length, and points
+/// that lie in the middle between two control points. The first point stays.
+///
+/// A control point at an end of its curve makes a line of the curve: both become one point, which the contour passes through.
+/// So the other end of that line is between two control points no longer, and stays.
+fn rounded(mut contour: Vec<Exact>) -> anyhow::Result<Vec<Point>> {
     while contour.len() > 1 && contour.last() == contour.first() {
         contour.pop();
     }
-    let is_implied = |index: usize| {
-        let (Some(before), Some(after)) = (contour.get(index.wrapping_sub(1)), contour.get(index + 1)) else {
-            return false;
-        };
-        let off = |axis: usize| (before.at[axis] + after.at[axis]) / 2.0 - contour[index].at[axis];
-        let is_between = contour[index].is_on_contour && !before.is_on_contour && !after.is_on_contour;
-        is_between && off(0).abs() <= IMPLIED && off(1).abs() <= IMPLIED
-    };
-    let implied: Vec<bool> = (0..contour.len()).map(is_implied).collect();
-    let points = contour.into_iter().zip(implied);
-    points.filter(|(_, implied)| !implied).map(|(point, _)| point).collect()
-}
-
-/// A contour in whole units, without lines and curves that have no length.
-fn rounded(contour: &[Exact]) -> anyhow::Result<Vec<Point>> {
-    let mut points: Vec<Point> = Vec::new();
-    for point in contour {
+    // Each with whether it is implied.
+    let mut points: Vec<(Point, bool)> = Vec::new();
+    for (index, point) in contour.iter().enumerate() {
         let [x, y] = point.at.map(f64::round);
         let range = f64::from(i16::MIN)..=f64::from(i16::MAX);
         ensure!(
@@ -115,16 +111,22 @@ fn rounded(contour: &[Exact]) -> anyhow::Result<Vec<Point>> {
             is_on_contour: point.is_on_contour,
         };
         match points.last_mut() {
-            Some(last) if (last.x, last.y) == (point.x, point.y) => last.is_on_contour |= point.is_on_contour,
-            _ => points.push(point),
+            Some((last, is_implied)) if (last.x, last.y) == (point.x, point.y) => {
+                last.is_on_contour |= point.is_on_contour;
+                *is_implied = false;
+            }
+            _ => points.push((point, is_implied(&contour, index))),
         }
     }
-    if let [first, .., last] = points[..]
+    if let [(first, _), .., (last, _)] = points[..]
         && (first.x, first.y) == (last.x, last.y)
     {
         points.pop();
     }
-    Ok(points)
+    let is_control = |index: usize| points.get(index).is_some_and(|(point, _)| !point.is_on_contour);
+    let is_left_out = |index: usize| points[index].1 && is_control(index.wrapping_sub(1)) && is_control(index + 1);
+    let kept = (0..points.len()).filter(|&index| !is_left_out(index));
+    Ok(kept.map(|index| points[index].0).collect())
 }
 
 /// The point of a curve between two others.
@@ -212,6 +214,37 @@ mod tests {
         ];
         let contour = contour.map(|(x, y, is_on_contour)| point(x, y, is_on_contour)).to_vec();
         assert_eq!(pen.contours().unwrap(), [contour]);
+    }
+
+    /// Two control points at one place make a corner there, which one control point does not.
+    #[test]
+    fn control_points_that_coincide_keep_their_corner() {
+        let mut pen = QuadraticPen::new(1.0);
+        // The point between both control points is where they are.
+        pen.move_to(0.0, 0.0);
+        pen.quad_to(0.0, 1_000.0, 0.0, 1_000.0);
+        pen.quad_to(0.0, 1_000.0, 1_000.0, 1_000.0);
+        pen.line_to(1_000.0, 0.0);
+        // A line up to the point between the control points, the first of which is where the contour begins.
+        pen.move_to(0.0, 0.0);
+        pen.quad_to(0.0, 0.0, 0.0, 500.0);
+        pen.quad_to(0.0, 1_000.0, 1_000.0, 1_000.0);
+        // The same at the end of a contour.
+        pen.move_to(0.0, 0.0);
+        pen.line_to(1_000.0, 1_000.0);
+        pen.quad_to(0.0, 1_000.0, 0.0, 500.0);
+        pen.quad_to(0.0, 0.0, 0.0, 0.0);
+        // Control points become equal only when they are rounded.
+        pen.move_to(0.0, 0.0);
+        pen.quad_to(0.0, 999.7, 0.1, 999.9);
+        pen.quad_to(0.2, 1_000.1, 1_000.0, 1_000.0);
+        pen.line_to(1_000.0, 0.0);
+        let corner = [(0, 0, true), (0, 1_000, true), (1_000, 1_000, true), (1_000, 0, true)];
+        let first = [(0, 0, true), (0, 500, true), (0, 1_000, false), (1_000, 1_000, true)];
+        let last = [(0, 0, true), (1_000, 1_000, true), (0, 1_000, false), (0, 500, true)];
+        let contours = [corner, first, last, corner];
+        let contours = contours.map(|contour| contour.map(|(x, y, is_on_contour)| point(x, y, is_on_contour)).to_vec());
+        assert_eq!(pen.contours().unwrap(), contours);
     }
 
     /// Quadratic parts of a cubic quarter circle, each looked at in many points, lie within the tolerance and the rounding.
