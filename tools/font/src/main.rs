@@ -9,7 +9,7 @@ use zrow_font::{
     characters,
     font::{Hinting, Names, Options, Source},
     module,
-    module_parts::{Origin, grouped},
+    module_parts::{MARK, Origin, grouped, is_name},
     outline_module,
     outlines::OutlineOptions,
 };
@@ -90,14 +90,26 @@ fn run(arguments: &Arguments) -> anyhow::Result<()> {
         None => outlines(arguments, &source, list, origin),
     };
     let Written { name, source, summary } = written.with_context(|| format!("cannot convert {file}"))?;
-    let output = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| PathBuf::from(format!("{}.rs", name.to_ascii_lowercase())));
+    let output = output(arguments, &name)?;
     fs::write(&output, source)
         .with_context(|| format!("cannot write {}: choose another path with --output", output.display()))?;
     println!("{}: {name}, {summary}", output.display());
     Ok(())
+}
+
+/// The path that was chosen, or one in this folder; what lies there must be a module that was written before.
+fn output(arguments: &Arguments, name: &str) -> anyhow::Result<PathBuf> {
+    if let Some(output) = &arguments.output {
+        return Ok(output.clone());
+    }
+    let output = PathBuf::from(format!("{}.rs", name.to_ascii_lowercase()));
+    let is_free = !output.exists() || fs::read_to_string(&output).is_ok_and(|source| source.contains(MARK));
+    ensure!(
+        is_free,
+        "{} is there, and was not written by this command: choose another path with --output",
+        output.display()
+    );
+    Ok(output)
 }
 
 /// The name that was chosen, or the one that the font gives.
@@ -105,11 +117,10 @@ fn name(arguments: &Arguments, given: String) -> anyhow::Result<String> {
     let Some(name) = &arguments.name else {
         return Ok(given);
     };
-    let is_name = name
-        .chars()
-        .all(|character| character.is_ascii_alphanumeric() || character == '_')
-        && name.starts_with(|first: char| first.is_ascii_alphabetic());
-    ensure!(is_name, "--name {name} is no Rust name: write one such as DIGITS_24");
+    ensure!(
+        is_name(name),
+        "--name {name} is no name of a static: write one such as DIGITS_24"
+    );
     Ok(name.clone())
 }
 

@@ -7,6 +7,12 @@ use crate::font::{Names, Pair};
 /// Columns of the module's comments at most.
 const COLUMNS: usize = 100;
 
+/// Names that modules have for their own tables.
+const RESERVED: [&str; 6] = ["RANGES", "GLYPHS", "KERNING", "COVERAGE", "POINTS", "FLAGS"];
+
+/// What the head of each written module says.
+pub const MARK: &str = "Written by zrow's converter";
+
 /// Where a module comes from: what is written into its head.
 #[derive(Debug, Copy, Clone)]
 pub struct Origin<'a> {
@@ -30,6 +36,15 @@ pub fn name_of(text: &str) -> String {
         name.insert_str(0, "FONT_");
     }
     name
+}
+
+/// Whether a text can be the name of a module's `static`.
+pub fn is_name(text: &str) -> bool {
+    text.starts_with(|first: char| first.is_ascii_uppercase())
+        && text
+            .chars()
+            .all(|character| character.is_ascii_uppercase() || character.is_ascii_digit() || character == '_')
+        && !RESERVED.contains(&text)
 }
 
 /// Characters that follow each other: the first one, how many they are, and the index of the first one's glyph.
@@ -69,11 +84,7 @@ pub fn head(names: &Names, title: &str, origin: Origin<'_>, arguments: &str) -> 
     let mut head = String::new();
     add_comment(&mut head, "//!", title);
     head.push_str("//!\n");
-    add_comment(
-        &mut head,
-        "//!",
-        "Written by zrow's converter; do not edit it, but convert again:",
-    );
+    add_comment(&mut head, "//!", &format!("{MARK}; do not edit it, but convert again:"));
     let file = plain(origin.file);
     let _ = writeln!(
         head,

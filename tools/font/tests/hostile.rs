@@ -240,3 +240,50 @@ fn the_program_fails_with_a_message() {
     );
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+/// Names of the module's own tables and keywords are refused, and so is a file that the program has not written.
+#[test]
+fn the_program_refuses_names_that_are_taken() {
+    let folder = std::env::temp_dir().join(format!("zrow-font-names-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("good.ttf"), dejavu::sans::regular()).unwrap();
+    std::fs::write(folder.join("lib.rs"), "mod digits;\n").unwrap();
+    let run = |arguments: &[&str]| {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_zrow-font"))
+            .args(["good.ttf", "--chars", "0-9"])
+            .args(arguments)
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        (
+            output.status.success(),
+            String::from_utf8_lossy(&output.stderr).into_owned(),
+        )
+    };
+    for kind in [&["--size", "12"][..], &["--outlines"]] {
+        for name in [
+            "RANGES", "GLYPHS", "KERNING", "COVERAGE", "POINTS", "FLAGS", "static", "Self", "A B", "_", "1X", "",
+        ] {
+            let (is_success, message) = run(&[kind, &["--name", name]].concat());
+            assert!(
+                !is_success && message.contains("is no name of a static"),
+                "{name}: {message}"
+            );
+        }
+        let (is_success, message) = run(&[kind, &["--name", "LIB"]].concat());
+        assert!(
+            !is_success && message.contains("lib.rs is there") && message.contains("--output"),
+            "{message}"
+        );
+        // What it wrote itself is written again.
+        for _ in 0..2 {
+            let (is_success, message) = run(&[kind, &["--name", "DIGITS"]].concat());
+            assert!(is_success, "{message}");
+        }
+    }
+    assert_eq!(std::fs::read_to_string(folder.join("lib.rs")).unwrap(), "mod digits;\n");
+    let (is_success, message) = run(&["--size", "12", "--name", "LIB", "--output", "lib.rs"]);
+    assert!(is_success, "{message}");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 3);
+    std::fs::remove_dir_all(&folder).unwrap();
+}
