@@ -84,6 +84,7 @@ fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let origin = Origin {
         file: &file_name,
         characters: &arguments.chars,
+        name: arguments.name.as_deref(),
     };
     let written = match arguments.size {
         Some(size) => masks(arguments, &source, size, list, origin),

@@ -20,6 +20,8 @@ pub struct Origin<'a> {
     pub file: &'a str,
     /// The characters as they were typed.
     pub characters: &'a str,
+    /// The name that was chosen with `--name`.
+    pub name: Option<&'a str>,
 }
 
 /// The name of a `static`, of the letters and digits of a text, such as `DEJAVU_SANS_24`.
@@ -85,10 +87,11 @@ pub fn head(names: &Names, title: &str, origin: Origin<'_>, arguments: &str) -> 
     add_comment(&mut head, "//!", title);
     head.push_str("//!\n");
     add_comment(&mut head, "//!", &format!("{MARK}; do not edit it, but convert again:"));
-    let file = plain(origin.file);
+    let file = quoted_if_needed(&plain(origin.file));
+    let name = origin.name.map(|name| format!(" --name {name}")).unwrap_or_default();
     let _ = writeln!(
         head,
-        "//! ```text\n//! cargo run --release -- font {file} {arguments}\n//! ```\n"
+        "//! ```text\n//! cargo run --release -- font {file} {arguments}{name}\n//! ```\n"
     );
     for (title, text) in [
         ("Copyright", &names.copyright),
@@ -155,6 +158,15 @@ pub fn quoted(argument: &str) -> String {
         .map(|character| if character.is_control() { ' ' } else { character })
         .collect();
     format!("'{}'", shown.replace('\'', r"'\''"))
+}
+
+/// An argument as a shell takes it, without quotes where it takes it so.
+fn quoted_if_needed(argument: &str) -> String {
+    let is_word = |character: char| character.is_alphanumeric() || ".-_+".contains(character);
+    if argument.chars().all(is_word) && !argument.is_empty() {
+        return argument.to_owned();
+    }
+    quoted(argument)
 }
 
 /// Adds a comment in lines of up to [`COLUMNS`] columns.

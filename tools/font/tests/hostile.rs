@@ -38,6 +38,7 @@ fn convert_outlines(source: &Source<'_>) -> anyhow::Result<usize> {
         let origin = Origin {
             file: "",
             characters: "",
+            name: None,
         };
         bytes += outline_module::write(&font, &options, "FONT", origin).bytes;
     }

@@ -193,7 +193,12 @@ fn checked_in_modules_are_what_is_converted_today() {
         ),
     ] {
         let font = Source::new(bytes).unwrap().convert(&options).unwrap();
-        let module = module::write(&font, &options, name, Origin { file, characters });
+        let origin = Origin {
+            file,
+            characters,
+            name: None,
+        };
+        let module = module::write(&font, &options, name, origin);
         assert!(
             module.source == kept,
             "convert {name} again: the command stands in its head"
@@ -214,11 +219,15 @@ fn a_module_says_where_it_comes_from() {
     let origin = Origin {
         file: "A [b].ttf",
         characters: "'?A",
+        name: Some("NAME"),
     };
     let module = module::write(&font, &options, "NAME", origin);
     for part in [
         "//! DejaVu Sans Book at 12.5 px: coverage masks of 3 characters",
-        r"font A b.ttf --size 12.5 --chars ''\''?A' --hinting vertical --no-kerning --replacement '?'",
+        concat!(
+            "\n//! cargo run --release -- font 'A b.ttf' --size 12.5 --chars ''\\''?A'",
+            " --hinting vertical --no-kerning --replacement '?' --name NAME\n"
+        ),
         "// Copyright, as the font says: Copyright (c) 2003 by Bitstream, Inc.",
         "Permission is hereby granted",
         "    kerning: &[],\n",

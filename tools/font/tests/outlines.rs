@@ -52,6 +52,7 @@ fn the_checked_in_module_is_what_is_converted_today() {
     let origin = Origin {
         file: "DejaVuSans.ttf",
         characters: CHARACTERS,
+        name: None,
     };
     let name = outline_module::static_name(&font.names.family);
     assert_eq!(name, "DEJAVU_SANS_OUTLINES");
@@ -66,16 +67,40 @@ fn the_checked_in_module_is_what_is_converted_today() {
     assert_eq!(font.flags.len(), font.points.len().div_ceil(4));
 }
 
+/// The same for the module of the playground, whose name was chosen.
+#[test]
+fn the_module_of_the_playground_is_what_is_converted_today() {
+    let kept = include_str!("../../playground/scene/src/letters.rs");
+    let options = OutlineOptions {
+        characters: characters::parse(" -~°").unwrap(),
+        ..options(None)
+    };
+    let source = Source::new(dejavu::sans::regular()).unwrap();
+    let font = source.convert_outlines(&options).unwrap();
+    let origin = Origin {
+        file: "DejaVuSans.ttf",
+        characters: " -~°",
+        name: Some("LETTERS"),
+    };
+    let module = outline_module::write(&font, &options, "LETTERS", origin);
+    assert!(
+        module.source == kept,
+        "convert it again: the command stands in its head"
+    );
+}
+
 #[test]
 fn few_units_take_half_the_bytes() {
     let origin = Origin {
         file: "DejaVuSans.ttf",
         characters: CHARACTERS,
+        name: Some("SMALL"),
     };
     let small = converted(Some(128));
     let module = outline_module::write(&small, &options(Some(128)), "SMALL", origin);
     for part in [
         "font DejaVuSans.ttf --outlines --units 128 --chars ' 0-9",
+        "CFkmh' --name SMALL\n",
         "    units_per_em: 128,\n",
         "    small_points: &POINTS,\n    points: &[],\n",
         "static POINTS: [[i8; 2]; ",

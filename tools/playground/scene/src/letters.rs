@@ -2,7 +2,7 @@
 //!
 //! Written by zrow's converter; do not edit it, but convert again:
 //! ```text
-//! cargo run --release -- font DejaVuSans.ttf --outlines --chars ' -~°'
+//! cargo run --release -- font DejaVuSans.ttf --outlines --chars ' -~°' --name LETTERS
 //! ```
 
 // Copyright, as the font says: Copyright (c) 2003 by Bitstream, Inc. All Rights Reserved. Copyright
@@ -75,7 +75,7 @@ pub static LETTERS: OutlineFont = OutlineFont {
     ascent: 1901,
     descent: 483,
     line_height: 2384,
-    underline: (40, 90),
+    underline: (130, 90),
     strikethrough: (-530, 102),
     replacement: None,
 };
