@@ -111,7 +111,9 @@ where
 
     /// Sends a command and its operands.
     fn command(&mut self, command: u8, operands: &[u8]) -> Result<(), Error<BUS::Error>> {
-        // The level of the pin is read with the last bit of a byte: it must not change before the bus is idle.
+        // The level of the pin is read with the last bit of a byte: it must not change before the bus is idle, which it may not be
+        // where the future of a band was dropped.
+        self.bus.flush().map_err(Error::Bus)?;
         let Ok(()) = self.pins.data_not_command.set_low();
         self.bus.write(&[command]).map_err(Error::Bus)?;
         self.bus.flush().map_err(Error::Bus)?;
@@ -130,7 +132,8 @@ where
     P: OutputPin<Error = Infallible>,
 {
     /// Sends the bytes of a band. Where the bus has a DMA, it runs when the future is first pending. Of a future that is dropped
-    /// before its end, the pixels are lost, and the next band is where it belongs all the same.
+    /// before its end, the pixels are lost, and the next band is where it belongs all the same: a bus whose DMA goes on then has to
+    /// wait for it in its blocking `flush`, or where its own future is dropped.
     ///
     /// # Errors
     /// The bus fails, the area is not within the panel, or there are other than two bytes for each of its pixels.

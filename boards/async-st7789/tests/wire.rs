@@ -43,6 +43,8 @@ struct Wires {
     ended: usize,
     /// Bytes until the bus fails.
     bytes_left: usize,
+    /// Bytes of a future that the DMA has not sent: it goes on where the future is dropped.
+    on_the_way: Vec<u8>,
 }
 
 impl Wires {
@@ -56,10 +58,23 @@ impl Wires {
             begun: 0,
             ended: 0,
             bytes_left: usize::MAX,
+            on_the_way: Vec::new(),
         }))
     }
 
+    /// Waits until the DMA has sent its bytes.
+    fn wait(&mut self) -> Result<(), spi::ErrorKind> {
+        let bytes = std::mem::take(&mut self.on_the_way);
+        self.take(&bytes)
+    }
+
+    fn set_data(&mut self, is_data: bool) {
+        assert!(self.on_the_way.is_empty(), "pixels as commands");
+        self.is_data = is_data;
+    }
+
     fn take(&mut self, bytes: &[u8]) -> Result<(), spi::ErrorKind> {
+        assert!(self.on_the_way.is_empty(), "two transfers at once");
         assert!(self.is_selected, "nobody listens to {bytes:?}");
         self.bytes_left = self.bytes_left.checked_sub(bytes.len()).ok_or(spi::ErrorKind::Other)?;
         match self.is_data {
@@ -73,7 +88,8 @@ impl Wires {
     }
 }
 
-/// A bus with DMA: what a future sends, it takes at its first poll, and it is done at its third one.
+/// A bus with DMA: what a future sends is on its way at the first poll, and sent at the third one; of a future that is dropped when
+/// the bus is flushed.
 struct Bus(Rc<RefCell<Wires>>);
 
 impl spi::ErrorType for Bus {
@@ -98,7 +114,7 @@ impl spi::SpiBus for Bus {
     }
 
     fn flush(&mut self) -> Result<(), spi::ErrorKind> {
-        Ok(())
+        self.0.borrow_mut().wait()
     }
 }
 
@@ -109,11 +125,14 @@ impl embedded_hal_async::spi::SpiBus for Bus {
             assert!(wires.is_data, "pixels as commands");
             wires.begun += 1;
             wires.pixels += words.len() / 2;
-            wires.take(words)?;
+            assert!(wires.on_the_way.is_empty(), "two transfers at once");
+            wires.on_the_way.extend_from_slice(words);
         }
         let mut polls = [Poll::Pending, Poll::Pending, Poll::Ready(())].into_iter();
         poll_fn(|_| polls.next().unwrap()).await;
-        self.0.borrow_mut().ended += 1;
+        let mut wires = self.0.borrow_mut();
+        wires.wait()?;
+        wires.ended += 1;
         Ok(())
     }
 
@@ -162,7 +181,7 @@ impl DelayNs for NoDelay {
 fn start(wires: &Rc<RefCell<Wires>>) -> Panel<Bus, Pin> {
     let pin = |set| Pin(Rc::clone(wires), set);
     let pins = Pins {
-        data_not_command: pin(|wires, is_high| wires.is_data = is_high),
+        data_not_command: pin(Wires::set_data),
         select: pin(|wires, is_high| wires.is_selected = !is_high),
         reset: pin(|_, _| {}),
         backlight: pin(|_, _| {}),

@@ -4,7 +4,10 @@
 //! anomaly 198). Each of two bands therefore fills a block, so that one is drawn while the other one is sent; a command is copied
 //! behind the first band, and the core waits until it is sent.
 
-use embassy_nrf::spim::{Error, Spim};
+use embassy_nrf::{
+    pac::SPIM3,
+    spim::{Error, Spim},
+};
 use embedded_hal::spi::{ErrorType, SpiBus};
 use zrow_async_st7789::WIDTH;
 
@@ -87,7 +90,10 @@ impl SpiBus for Bus {
 /// For bands.
 impl embedded_hal_async::spi::SpiBus for Bus {
     async fn write(&mut self, words: &[u8]) -> Result<(), Error> {
-        self.spim.write_from_ram(words).await
+        let transfer = Transfer;
+        let result = self.spim.write_from_ram(words).await;
+        core::mem::forget(transfer);
+        result
     }
 
     async fn read(&mut self, words: &mut [u8]) -> Result<(), Error> {
@@ -104,5 +110,15 @@ impl embedded_hal_async::spi::SpiBus for Bus {
 
     async fn flush(&mut self) -> Result<(), Error> {
         Ok(())
+    }
+}
+
+/// A transfer that goes on where its future is dropped: the core waits for its end, 2 ms at most, before the panel gets a command
+/// and before the band is drawn again.
+struct Transfer;
+
+impl Drop for Transfer {
+    fn drop(&mut self) {
+        while SPIM3.events_end().read() == 0 {}
     }
 }
