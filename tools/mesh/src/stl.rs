@@ -30,7 +30,7 @@ pub fn parse(bytes: &[u8], file: &str) -> anyhow::Result<Model> {
     if has_length {
         model.is_binary = true;
         read_binary(bytes.get(HEAD..).unwrap_or_default(), &mut model)?;
-    } else if bytes.trim_ascii_start().starts_with(b"solid") {
+    } else if is_text(bytes) {
         read_text(&text(bytes), &mut model)?;
     } else {
         let facets = facets.with_context(|| format!("{file} is no STL: it has {} bytes", bytes.len()))?;
@@ -41,6 +41,13 @@ pub fn parse(bytes: &[u8], file: &str) -> anyhow::Result<Model> {
         );
     }
     Ok(model)
+}
+
+/// Whether a file begins with the first word of a text, in small letters or capitals, perhaps behind a byte order mark.
+fn is_text(bytes: &[u8]) -> bool {
+    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+    let word = bytes.trim_ascii_start().get(..5);
+    word.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }
 
 fn binary_length(facets: u32) -> u64 {

@@ -218,7 +218,18 @@ fn bad_lines_of_an_stl() {
     let good = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n\
         endloop\nendfacet\nendsolid a\n";
     let stl = |bytes: &[u8]| convert(bytes, "a.stl", &[], OPTIONS);
-    stl(good.as_bytes()).unwrap();
+    let mesh = stl(good.as_bytes()).unwrap();
+    for other in [
+        good.to_uppercase(),
+        format!("\u{feff}{good}"),
+        format!("\u{feff} \r\n{}", good.to_uppercase()),
+    ] {
+        let other = stl(other.as_bytes()).unwrap();
+        assert_eq!(
+            (other.vertices, other.faces),
+            (mesh.vertices.clone(), mesh.faces.clone())
+        );
+    }
     for (line, bad, part) in [
         (4, "vertex 0 0", "write vertex x y z"),
         (4, "vertex 0 0 inf", "from -1e9 to 1e9"),
