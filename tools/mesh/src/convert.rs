@@ -191,18 +191,18 @@ impl<'a> Converter<'a> {
         Ok(())
     }
 
-    /// The stored texture coordinates of a face's corners, in the file's order; without any in the whole model, or of this
-    /// face, zeros.
+    /// The stored texture coordinates of a face's corners, in the file's order; zeros for corners without any.
     fn coordinates(&self, face: &Face) -> anyhow::Result<Vec<[i16; 2]>> {
         let corners = self.model.corners_of(face);
-        let named: Option<Vec<[f64; 2]>> = corners
+        let named: Vec<[f64; 2]> = corners
             .iter()
-            .map(|corner| corner.coordinates.map(|index| self.model.coordinates[index]))
+            .filter_map(|corner| Some(self.model.coordinates[corner.coordinates?]))
             .collect();
-        match named {
-            Some(named) => coordinates::of_face(&named).with_context(|| self.model.place(face)),
-            None => Ok(vec![[0, 0]; corners.len()]),
-        }
+        let mut stored = coordinates::of_face(&named)
+            .with_context(|| self.model.place(face))?
+            .into_iter();
+        let of_corner = |corner: &Corner| corner.coordinates.and_then(|_| stored.next()).unwrap_or_default();
+        Ok(corners.iter().map(of_corner).collect())
     }
 
     fn add_face(&mut self, piece: &Piece<'_>, coordinates: &[[i16; 2]], smooth: &SmoothNormals) -> anyhow::Result<()> {

@@ -269,6 +269,23 @@ fn texture_coordinates_split_vertices_and_v_is_down() {
     assert_eq!(at(1), [stored(0.0, 0.5), stored(0.25, 3.0), stored(1.0, 0.5)]);
 }
 
+/// Only the corners that the note counts get those of the upper left corner, and others of their face keep their own.
+#[test]
+fn corners_without_texture_coordinates_are_those_of_the_note() {
+    let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 20 20.5\nvt 21 20.5\n\
+        f 1/1 2/2 3\nf 1/3 3/4 4\nf 1 2 3\n";
+    let mesh = obj(text, &[]).unwrap();
+    let at = |face: usize| mesh.faces[face].map(|index| mesh.coordinates[usize::from(index)]);
+    assert_eq!(at(0), [[0, 4_096], [0, 0], [4_096, 4_096]]);
+    // By 20 repeats back to the right, and by 20 on downwards, but for the corner without any.
+    assert_eq!(at(1), [[0, 2_048], [0, 0], [4_096, 2_048]]);
+    assert_eq!(at(2), [[0, 0]; 3]);
+    assert_eq!(
+        mesh.notes,
+        ["corners without texture coordinates, which get those of the texture's upper left corner: 5"]
+    );
+}
+
 #[test]
 fn materials_give_colors_and_one_texture() {
     let materials = b"# two\nnewmtl dark red\nKd 0.5 0 0\nNs 10\nnewmtl map\r\nmap_Kd pictures\\a b.png\n";
