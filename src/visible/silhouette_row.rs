@@ -322,14 +322,19 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
     ) where
         D: 'v,
     {
+        if edge.is_long() || !self.add_narrow(words, edge, &self.part::<S>(edge)) {
+            self.add_any(words, edge, corners);
+        }
+    }
+
+    /// The part of an edge that lies in the row.
+    #[inline(always)]
+    fn part<S: ScreenPrecision>(&self, edge: &ActiveEdge<D>) -> Part {
         let rows @ [start, end] = edge.part(self.sides::<S>());
-        let part = Part {
+        Part {
             ends: edge.ends(rows),
             height: (end - start) << (COVER_BITS - S::FRACTION_BITS),
             sign: edge.sign(),
-        };
-        if edge.is_long() || !self.add_narrow(words, edge, &part) {
-            self.add_any(words, edge, part, rows, corners);
         }
     }
 
@@ -376,18 +381,17 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
         true
     }
 
-    /// Adds the part of an edge between two y.
+    /// Adds the part of any edge that lies in the row.
     #[inline(never)]
     fn add_any<'v, S: ScreenPrecision>(
         &mut self,
         words: &[W],
         edge: &ActiveEdge<D>,
-        part: Part,
-        rows: [i32; 2],
         corners: &impl Fn(u16) -> Option<[&'v ScreenVertex<S, D>; 3]>,
     ) where
         D: 'v,
     {
+        let part = self.part::<S>(edge);
         let Some(columns) = self.add_part(&part).filter(|_| edge.is_drawn()) else {
             return;
         };
@@ -396,6 +400,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
             if let Some(corners) = corners(edge.face()) {
                 let [from, to] = edge.corners_of(corners);
                 let ends = if edge.goes_up() { [to, from] } else { [from, to] };
+                let rows = edge.part(self.sides::<S>());
                 self.mark_long::<S>(words, columns, face, ends, rows);
             }
         } else {
@@ -516,7 +521,7 @@ impl<'c, W: PixelWord, D: DepthWidth> EdgeRow<'c, W, D> {
 /// The face of an edge of which a part lies in a row, as columns keep it; with `one_edge` if the part goes through the row.
 #[inline(always)]
 fn face<D: DepthWidth>(one_edge: u16, edge: &ActiveEdge<D>, part: &Part) -> u16 {
-    let is_whole = part.height == 1 << COVER_BITS && edge.is_precise();
+    let is_whole = part.height == 1 << COVER_BITS;
     (edge.face() + 1) | if is_whole { one_edge } else { 0 }
 }
 

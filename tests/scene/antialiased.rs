@@ -253,6 +253,35 @@ proptest! {
     }
 }
 
+/// A triangle that faces the camera, with an edge through the middle of the picture: up to 64,000 units wide and as high.
+fn large_triangle() -> impl Strategy<Value = Mesh> {
+    let coordinates = |most: i16| prop::array::uniform2(-most..=most);
+    // Neither level nor vertical: such an edge may lie between two pixels.
+    let away =
+        prop::array::uniform2((1_000..=32_000i16, any::<bool>()).prop_map(|(far, back)| if back { -far } else { far }));
+    (coordinates(200), away, 1..=100, coordinates(32_000)).prop_map(|(middle, away, percent, third)| {
+        let from = [0, 1].map(|axis| middle[axis] - away[axis]);
+        let to = [0, 1].map(|axis| middle[axis] + (i32::from(away[axis]) * percent / 100) as i16);
+        let corners = [from, to, third].map(|[x, y]| [x, y, 0]);
+        Mesh::new(corners.to_vec(), vec![[0, 1, 2]]).two_sided()
+    })
+}
+
+proptest! {
+    #![proptest_config(config(cases(40, 2_000)))]
+
+    /// Edges of up to 4,000 pixels on either side of the picture, or, at 1/16 pixel, up to 900: the guard band cuts none.
+    #[test]
+    fn silhouettes_of_large_faces_cover_their_exact_area(mesh in large_triangle()) {
+        let poses = |z| [Pose::new(Rotation::IDENTITY, at(0, 0, z))];
+        let meshes = [mesh];
+        let [fine, _] = check::<Fine<Rgb888>>(&meshes, &poses(256));
+        let [coarse, _] = check::<Rgb888>(&meshes, &poses(1_100));
+        prop_assert!(fine > 10 && coarse > 10, "{fine} and {coarse} pixels");
+        check::<Fine<Deep<Rgb888>>>(&meshes, &poses(1_100));
+    }
+}
+
 /// Draws models in a look without and with antialiased silhouettes; each picture in several ways that must not change it.
 /// Returns both.
 fn both_pictures<L: Look<Color = Rgb888>>(camera: &Camera, models: &[Model<'_, L::Shading>]) -> [Vec<Rgb888>; 2]
