@@ -75,7 +75,7 @@ fn compare_dashes(line: &Line, width: u32, cap: LineCap, (dash, gap): (f64, f64)
     let style = StrokeStyle::new(Gray8::WHITE, width).cap(cap).dashes(&lengths);
     let style = style.dash_offset(I16F16::from_num(offset));
     let on_pixels = |is_along: bool| {
-        let is_moved = is_along && width % 2 == 0 && cap != LineCap::Round;
+        let is_moved = is_along && width.is_multiple_of(2) && cap != LineCap::Round;
         if is_moved { 0.5 } else { 0.0 }
     };
     let moved = (
@@ -185,7 +185,7 @@ const CENTER: Point = Point::new(21, 22);
 /// A square about a point, bevelled at each corner of its outer side, and its hole: an even width lies half a pixel further up
 /// and left, along pixels.
 fn in_bevelled_square(width: u32, x: f64, y: f64) -> bool {
-    let moved = if width % 2 == 0 { 0.5 } else { 0.0 };
+    let moved = if width.is_multiple_of(2) { 0.5 } else { 0.0 };
     let (right, down) = (
         (x - f64::from(CENTER.x) + moved).abs(),
         (y - f64::from(CENTER.y) + moved).abs(),
