@@ -215,7 +215,7 @@ fn bevelled_squares() {
             ];
             drawn[(y * SIDE as i32 + x) as usize]
         };
-        let moved = if width % 2 == 0 { 1 } else { 0 };
+        let moved = if width.is_multiple_of(2) { 1 } else { 0 };
         for (x, y) in (-20..20).flat_map(|x| (-20..20).map(move |y| (x, y))) {
             let mirrored = [(-x - moved, y), (x, -y - moved), (y, x)].map(|(x, y)| at(Point::new(x, y)));
             assert_eq!(mirrored, [at(Point::new(x, y)); 3], "{style:?}, {x}, {y}");

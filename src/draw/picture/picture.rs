@@ -31,10 +31,10 @@ pub(super) const NEVER_QUIET: i16 = i16::MIN;
 /// added.
 ///
 /// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses, thin lines and outlines of
-/// circles one pixel wide, 9 for a triangle, 10 for a wider line, 2 for a stroked rectangle, 4 for any other stroked circle or
-/// ellipse, one a character and one more for a text, some for each corner of a polygon), and buckets of rows. One bucket for each row of the
-/// picture is fastest, fewer work as well. What is too small is an error that says how much is needed; a picture has up to
-/// 65,535 items, whose words begin within the first 65,536.
+/// circles one pixel wide, 9 for a triangle, 10 for a wider line, 2 for a stroked rectangle, 4 for any other stroked circle
+/// or ellipse, one a character and one more for a text, some for each corner of a polygon), and buckets of rows. One bucket
+/// for each row of the picture is fastest, fewer work as well. What is too small is an error that says how much is needed; a
+/// picture has up to 65,535 items, whose words begin within the first 65,536.
 ///
 /// Draws into bands of any height and in any order. Going on from row to row is the fast case; every other band is
 /// found by looking at each item once. Rows and columns below -32,768 and from 32,767 on are not drawn.
@@ -205,14 +205,15 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Of a line of text that begins 2^30 or more columns away from column 0, no glyph is drawn: only in a font of outlines with
     /// few units per em, at a size of thousands of pixels, could one be in the picture.
     ///
-    /// Polygons and paths have the pixels of their prepared forms, fill and stroke, without tables: the fill takes 12 bytes of the
-    /// pool, for each y-monotone chain of its edges 4 bytes and 4 for each corner (8 where one is more than 32,767 units from the first
-    /// one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 32 bytes, 4 for each contour and 8 for each vertex; one of one
-    /// pixel's width also 16 for each segment that one row meets at most, a wider one, or any one of a polygon, 4 for each segment and
-    /// each join, and 76 for each that one row meets at most, and inside or outside of a polygon what the fill takes; one in a
-    /// `StrokeStyle` 52 bytes, 4 for each length of its dashes, 4 for each path and 8 for each vertex, 8 more with dashes; and,
-    /// where no segment has more than 64 dashes and no vertex is beyond 16,384 pixels, 8 for each dash, segment and join, and for those
-    /// that one row meets at most 76 each and 20 for each end or join that is round.
+    /// Polygons and paths have the pixels of their prepared forms, fill and stroke, without tables: the fill takes 12 bytes of
+    /// the pool, for each y-monotone chain of its edges 4 bytes and 4 for each corner (8 where one is more than 32,767 units
+    /// from the first one's pixel), and 28 for each chain that one row has at most. A stroke takes up to 32 bytes, 4 for each
+    /// contour and 8 for each vertex; one of one pixel's width also 16 for each segment that one row meets at most, a wider one,
+    /// or any one of a polygon, 4 for each segment and each join, and 76 for each that one row meets at most, and inside or
+    /// outside of a polygon what the fill takes; one in a `StrokeStyle` 52 bytes, 4 for each length of its dashes, 4 for each
+    /// path and 8 for each vertex, 8 more with dashes; and, where no segment has more than 64 dashes and no vertex is beyond
+    /// 16,384 pixels, 8 for each dash, segment and join, and for those that one row meets at most 76 each and 20 for each end or
+    /// join that is round.
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots, the words of the pool or the memory of antialiasing that are needed (an item whose
