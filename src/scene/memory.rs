@@ -31,8 +31,8 @@ type SlotOf<L> = ActiveFace<<L as Look>::Precision, <L as Look>::Shading>;
 /// RAM for a colour as the look: 6 bytes a vertex, 2 a face, 2 a column, 4 a row, 48 an active face, and 48. What varies over
 /// faces takes 2 bytes a vertex for each of its [`Attributes`](crate::shade::Attributes) (none for texture coordinates, where
 /// no face is cut) and 12 an active face; silhouettes that are [`Antialiased`](crate::scene::Antialiased) take 12 bytes a
-/// column, 4 a face, 4 a row, and 896, and the method of a look that is [`VisibleBy`](crate::scene::VisibleBy) one what it says.
-/// All zero bits when new, so that a `static` lies in `.bss`.
+/// column, 4 a face, 4 a row, and 896, and a method that a look names ([`VisibleBy`](crate::scene::VisibleBy)) what it says.
+/// All zero bits when new, but for some methods, so that a `static` lies in `.bss`.
 ///
 /// ```
 /// use embedded_graphics::pixelcolor::Rgb565;

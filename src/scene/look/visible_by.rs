@@ -26,7 +26,7 @@ use crate::{
 /// [`Prepared::draw_with`](crate::scene::Prepared::draw_with), which hands over rows of depths, draws by the depth row, and so does
 /// [`Multisampled`](crate::scene::Multisampled) around this look; within it there are no samples.
 /// [`Prepared::estimate`](crate::scene::Prepared::estimate) predicts what the depth row takes. Memory: that of `L` and of `M`, and
-/// 16 bytes on a 32-bit machine.
+/// some 8 bytes on a 32-bit machine.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};

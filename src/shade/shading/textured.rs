@@ -2,9 +2,8 @@
 //!
 //! Guarantees: texture coordinates are right at both ends of a span and at every 16th column, to within 1/4,096 of the texture
 //! where the depths of a face differ by up to 100 times and it has no more than one texture (of a texture that repeats to so much
-//! of a texture for each that it has), and step evenly in between; a face whose own planes are within 3/8
-//! texel everywhere is drawn without a division. A pixel has the nearest texel, or what
-//! a sampler makes of several. Cost of a pixel: two additions, a texel.
+//! of a texture for each that it has), and step evenly in between; a face whose own planes are within 3/8 texel everywhere is drawn
+//! without a division. A pixel has the nearest texel, or what a sampler makes of several. Cost of a pixel: two additions, a texel.
 //!
 //! Source: Catmull (1974), "A subdivision algorithm for computer display of curved surfaces".
 

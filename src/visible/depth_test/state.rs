@@ -14,8 +14,8 @@ use crate::{
 ///
 /// The depth that is compared, and stored, is that of the pixel mapped to the [`range`](Self::range), plus the
 /// [`offset`](Self::offset), at the end of the range where it would lie beyond. Where it is mapped or offset it is never 0, to
-/// which rows are cleared. The
-/// [default](Self::NEARER) is what scenes are drawn with: what is nearer is drawn, of what is equally near the first stays.
+/// which rows are cleared. The [default](Self::NEARER) is what scenes are drawn with: what is nearer is drawn, of what is equally
+/// near the first stays.
 ///
 /// Source: `glDepthFunc`, `glDepthMask`, `glPolygonOffset` and `glDepthRange` of OpenGL 1.1 (Segal and Akeley 1997). There an
 /// offset may lead out of the range; here what is drawn in one part of the depths never gets into another one.
