@@ -29,9 +29,10 @@ pub const EXERCISES: &[fn()] = &[
     depth_test::<Rgb565, BigEndian>,
     depth_test::<Fine<Deep<Textured<Texels<Rgb565, 64, 64>>>>, LittleEndian>,
     depth_test::<Whole<OnePass<Translucent<Gouraud<Rgb565>>>>, LittleEndian>,
-    named_by_rays,
-    named_by_spans,
-    named_by_painter,
+    named::<VisibleBy<OneDepth, Rgb565>, BigEndian>,
+    named::<Fine<VisibleBy<SpanScanLine<30>, Textured<Texels<Rgb565, 64, 64>>>>, LittleEndian>,
+    named::<VisibleBy<DepthSort<500, 40>, Antialiased<Translucent<Gouraud<Rgb565>>>>, BigEndian>,
+    named_method,
     painted::<Translucent<Gouraud<Rgb565>>, BigEndian>,
     painted::<Fine<Deep<Translucent<Textured<CutOut<Indexed<Rgb565, 16, 64, 16>>>>>>, LittleEndian>,
     painted::<Antialiased<Rgb565>, LittleEndian>,
@@ -175,32 +176,21 @@ fn visible_parts<L: Look, V: HiddenLines<L::Depth> + 'static>() {
     }));
 }
 
-/// A function with a look that names a method.
-macro_rules! named {
-    ($name:ident, $look:ty, $order:ty) => {
-        #[inline(never)]
-        fn $name() {
-            keep(Memory::<$look, 300, 600, 240, 240, 30>::frame(any()));
-            keep(Prepared::<$look>::draw::<$order>(any(), any()));
-            keep(Prepared::<$look>::method(any()));
-            keep(Prepared::<$look>::method_error(any()));
-            keep(SceneItem::<$look, 2>::method_error(any()));
-            picture_item::<Rgb565, $order, SceneItem<$look, 2>>();
-        }
-    };
+/// A look that names a method.
+#[inline(never)]
+fn named<L: Look<Color = Rgb565>, O: Order + 'static>() {
+    keep(Memory::<L, 300, 600, 240, 240, 30>::frame(any()));
+    keep(Prepared::<L>::draw::<O>(any(), any()));
+    picture_item::<Rgb565, O, SceneItem<L, 2>>();
 }
 
-named!(named_by_rays, VisibleBy<OneDepth, Rgb565>, BigEndian);
-named!(
-    named_by_spans,
-    Fine<VisibleBy<SpanScanLine<30>, Textured<Texels<Rgb565, 64, 64>>>>,
-    LittleEndian
-);
-named!(
-    named_by_painter,
-    VisibleBy<DepthSort<500, 40>, Antialiased<Translucent<Gouraud<Rgb565>>>>,
-    BigEndian
-);
+/// What a look that names a method says of it.
+#[inline(never)]
+fn named_method() {
+    keep(Prepared::<VisibleBy<OneDepth, Rgb565>>::method(any()));
+    keep(Prepared::<VisibleBy<OneDepth, Rgb565>>::method_error(any()));
+    keep(SceneItem::<VisibleBy<OneDepth, Rgb565>, 2>::method_error(any()));
+}
 
 /// Translucent faces, holes and antialiased silhouettes, from back to front.
 #[inline(never)]
