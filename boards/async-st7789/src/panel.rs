@@ -9,7 +9,7 @@
 //! written without a future, 11 bytes, and only where a band does not go on where the last one ended: the window reaches from the
 //! first row of a picture to the lower end of the panel, so that the bands of a picture are a single stream.
 
-use core::convert::Infallible;
+use core::{convert::Infallible, mem};
 
 use embedded_graphics::primitives::Rectangle;
 use embedded_hal::{delay::DelayNs, digital::OutputPin, spi::SpiBus};
@@ -55,6 +55,7 @@ pub struct Pins<P> {
 /// The panel, and its bus, on which nothing else is.
 pub struct Panel<BUS, P> {
     bus: BUS,
+    settle: fn(&mut BUS),
     pins: Pins<P>,
     /// The left column, the width and the top row of a band that goes on where the last one ended.
     next: Option<(i32, u32, i32)>,
@@ -65,11 +66,17 @@ where
     BUS: SpiBus,
     P: OutputPin<Error = Infallible>,
 {
-    /// Switches the panel on, black and then lit.
+    /// Switches the panel on, black and then lit. Where the future of a transfer is dropped, `settle` waits until the bus reads no more
+    /// of its bytes and sends none.
     ///
     /// # Errors
     /// The bus fails.
-    pub fn start(mut bus: BUS, mut pins: Pins<P>, delay: &mut impl DelayNs) -> Result<Self, StartError> {
+    pub fn start(
+        mut bus: BUS,
+        settle: fn(&mut BUS),
+        mut pins: Pins<P>,
+        delay: &mut impl DelayNs,
+    ) -> Result<Self, StartError> {
         // mipidsi switches the panel on, over a bus and pins that it only borrows.
         let Ok(device) = ExclusiveDevice::new_no_delay(&mut bus, &mut pins.select);
         let mut bytes = [0; 16];
@@ -81,7 +88,12 @@ where
             .init(delay)
             .map_err(|_| StartError)?;
         let Ok(()) = pins.select.set_low();
-        let mut panel = Self { bus, pins, next: None };
+        let mut panel = Self {
+            bus,
+            settle,
+            pins,
+            next: None,
+        };
         panel.clear().map_err(|_| StartError)?;
         let Ok(()) = panel.pins.backlight.set_high();
         Ok(panel)
@@ -111,8 +123,7 @@ where
 
     /// Sends a command and its operands.
     fn command(&mut self, command: u8, operands: &[u8]) -> Result<(), Error<BUS::Error>> {
-        // The level of the pin is read with the last bit of a byte: it must not change before the bus is idle, which it may not be
-        // where the future of a band was dropped.
+        // The level of the pin is read with the last bit of a byte: it must not change before the bus is idle.
         self.bus.flush().map_err(Error::Bus)?;
         let Ok(()) = self.pins.data_not_command.set_low();
         self.bus.write(&[command]).map_err(Error::Bus)?;
@@ -132,8 +143,7 @@ where
     P: OutputPin<Error = Infallible>,
 {
     /// Sends the bytes of a band. Where the bus has a DMA, it runs when the future is first pending. Of a future that is dropped
-    /// before its end, the pixels are lost, and the next band is where it belongs all the same: a bus whose DMA goes on then has to
-    /// wait for it in its blocking `flush`, or where its own future is dropped.
+    /// before its end, the pixels are lost, and the next band is where it belongs all the same: the bus settles first.
     ///
     /// # Errors
     /// The bus fails, the area is not within the panel, or there are other than two bytes for each of its pixels.
@@ -148,14 +158,36 @@ where
         if self.next.take() != Some((left, width, top)) {
             self.set_window(left, width, top)?;
         }
-        embedded_hal_async::spi::SpiBus::write(&mut self.bus, bytes)
-            .await
-            .map_err(Error::Bus)?;
-        embedded_hal_async::spi::SpiBus::flush(&mut self.bus)
-            .await
-            .map_err(Error::Bus)?;
+        let transfer = Transfer {
+            bus: &mut self.bus,
+            settle: self.settle,
+        };
+        transfer.send(bytes).await.map_err(Error::Bus)?;
         self.next = Some((left, width, bottom as i32));
         Ok(())
+    }
+}
+
+/// A transfer, after which the bus settles where its future is dropped before its end.
+struct Transfer<'a, BUS> {
+    bus: &'a mut BUS,
+    settle: fn(&mut BUS),
+}
+
+impl<BUS: embedded_hal_async::spi::SpiBus> Transfer<'_, BUS> {
+    async fn send(self, bytes: &[u8]) -> Result<(), BUS::Error> {
+        let mut result = self.bus.write(bytes).await;
+        if result.is_ok() {
+            result = self.bus.flush().await;
+        }
+        mem::forget(self);
+        result
+    }
+}
+
+impl<BUS> Drop for Transfer<'_, BUS> {
+    fn drop(&mut self) {
+        (self.settle)(self.bus);
     }
 }
 

@@ -89,8 +89,14 @@ impl Wires {
 }
 
 /// A bus with DMA: what a future sends is on its way at the first poll, and sent at the third one; of a future that is dropped when
-/// the bus is flushed.
+/// the bus settles or is flushed.
 struct Bus(Rc<RefCell<Wires>>);
+
+impl Bus {
+    fn settle(&mut self) {
+        self.0.borrow_mut().wait().unwrap();
+    }
+}
 
 impl spi::ErrorType for Bus {
     type Error = spi::ErrorKind;
@@ -179,6 +185,10 @@ impl DelayNs for NoDelay {
 }
 
 fn start(wires: &Rc<RefCell<Wires>>) -> Panel<Bus, Pin> {
+    start_with(wires, Bus::settle)
+}
+
+fn start_with(wires: &Rc<RefCell<Wires>>, settle: fn(&mut Bus)) -> Panel<Bus, Pin> {
     let pin = |set| Pin(Rc::clone(wires), set);
     let pins = Pins {
         data_not_command: pin(Wires::set_data),
@@ -186,7 +196,7 @@ fn start(wires: &Rc<RefCell<Wires>>) -> Panel<Bus, Pin> {
         reset: pin(|_, _| {}),
         backlight: pin(|_, _| {}),
     };
-    Panel::start(Bus(Rc::clone(wires)), pins, &mut NoDelay).unwrap()
+    Panel::start(Bus(Rc::clone(wires)), settle, pins, &mut NoDelay).unwrap()
 }
 
 /// Polls a future until it is ready.
@@ -291,32 +301,74 @@ fn a_band_is_sent_while_the_next_is_drawn() {
     assert_eq!(wires.borrow().commands - commands, 3);
 }
 
-/// The pixels of a band whose future is dropped are lost; those of the next one are where they belong.
+/// The pixels of a band whose future is dropped are lost; those of the next one are where they belong. Nothing of the band is on the
+/// way once its future is dropped: it is drawn over.
 #[test]
 fn a_dropped_transfer_does_not_move_the_next_band() {
     let wires = Wires::new();
     let mut panel = start(&wires);
-    let rows = |top, bytes| (Rectangle::new(Point::new(0, top), Size::new(240, 1)), [bytes; 480]);
-    let (area, bytes) = rows(10, 1);
+    send_after_a_dropped_transfer(&mut panel, || assert!(wires.borrow().on_the_way.is_empty()));
+    check_rows(&wires);
+}
+
+/// A bus that is only idle after a flush is flushed before a command.
+#[test]
+fn a_command_waits_for_the_bus() {
+    let wires = Wires::new();
+    let mut panel = start_with(&wires, |_| {});
+    send_after_a_dropped_transfer(&mut panel, || assert_eq!(wires.borrow().on_the_way, [2; 480]));
+    check_rows(&wires);
+}
+
+/// A transfer that has ended, or failed, has nothing to wait for.
+#[test]
+fn the_bus_settles_after_dropped_transfers_alone() {
+    let wires = Wires::new();
+    let mut panel = start_with(&wires, |_| panic!("nothing to wait for"));
+    let (area, bytes) = row(10, 1);
     wait(panel.send(area, &bytes)).unwrap();
-    let (area, bytes) = rows(11, 2);
+    // No future is there before the first poll.
+    drop(panel.send(area, &bytes));
+    let commands = 11;
+    wires.borrow_mut().bytes_left = commands;
+    assert!(matches!(wait(panel.send(area, &bytes)), Err(Error::Bus(_))));
+    assert_eq!(wires.borrow().begun, 2);
+}
+
+/// A row of the panel, and bytes for it.
+fn row(top: i32, byte: u8) -> (Rectangle, [u8; 480]) {
+    (Rectangle::new(Point::new(0, top), Size::new(240, 1)), [byte; 480])
+}
+
+/// Sends the rows 10 to 12; the future of row 11 is dropped, and it is sent again.
+fn send_after_a_dropped_transfer(panel: &mut Panel<Bus, Pin>, check_dropped: impl Fn()) {
+    let (area, bytes) = row(10, 1);
+    wait(panel.send(area, &bytes)).unwrap();
+    let (area, bytes) = row(11, 2);
     {
         let mut dropped = pin!(panel.send(area, &bytes));
         let pending = dropped.as_mut().poll(&mut Context::from_waker(Waker::noop()));
         assert!(pending.is_pending());
     }
+    check_dropped();
     // The same rows again, as where a picture is drawn anew.
-    let (area, bytes) = rows(11, 4);
+    let (area, bytes) = row(11, 4);
     wait(panel.send(area, &bytes)).unwrap();
-    let (area, bytes) = rows(12, 3);
+    let (area, bytes) = row(12, 3);
     wait(panel.send(area, &bytes)).unwrap();
+}
+
+/// The rows 10 to 12 have their pixels, and no other row has any.
+fn check_rows(wires: &RefCell<Wires>) {
     let shown = wires.borrow().panel.pixels(WHOLE).unwrap();
-    let of_row = |row: usize| (shown[row * 240], shown[row * 240 + 239]);
-    assert_eq!(
-        [9, 10, 11, 12, 13].map(of_row).map(|(left, _)| left),
-        [0, 0x0101, 0x0404, 0x0303, 0]
-    );
-    assert!((9..14).all(|row| of_row(row).0 == of_row(row).1));
+    let rows: Vec<_> = shown.chunks(240).collect();
+    let expected = |row| match row {
+        10 => 0x0101,
+        11 => 0x0404,
+        12 => 0x0303,
+        _ => 0,
+    };
+    assert!((0..320).all(|row| rows[row] == [expected(row); 240]));
 }
 
 #[test]

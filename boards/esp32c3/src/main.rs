@@ -10,6 +10,7 @@ use embassy_time::Delay;
 use esp_hal::{
     Async,
     clock::CpuClock,
+    delay,
     gpio::{Level, Output, OutputConfig},
     peripherals::Peripherals,
     spi::{
@@ -24,6 +25,9 @@ use static_cell::ConstStaticCell;
 use zrow_async_st7789::{Panel, Pins, WIDTH, show_scenes};
 
 esp_bootloader_esp_idf::esp_app_desc!();
+
+/// The bus of the panel.
+type Bus = SpiDma<'static, Async>;
 
 /// Half of the clock of SPI2: the ST7789 takes no more than 62.5 MHz.
 const BUS_CLOCK: Rate = Rate::from_mhz(40);
@@ -42,7 +46,7 @@ async fn main(_spawner: embassy_executor::Spawner) {
     let Some((bus, pins)) = wires(chip) else {
         stop("the bus has no such clock");
     };
-    let Ok(mut panel) = Panel::start(bus, pins, &mut Delay) else {
+    let Ok(mut panel) = Panel::start(bus, settle, pins, &mut Delay) else {
         stop("the panel does not start");
     };
     let bands = BANDS.take().each_mut().map(|band| &mut band[..]);
@@ -51,7 +55,7 @@ async fn main(_spawner: embassy_executor::Spawner) {
 }
 
 /// Starts the timer of embassy; the bus, and the pins of the panel. The pins of the bus are those that need no matrix.
-fn wires(chip: Peripherals) -> Option<(SpiDma<'static, Async>, Pins<Output<'static>>)> {
+fn wires(chip: Peripherals) -> Option<(Bus, Pins<Output<'static>>)> {
     esp_rtos::start(TimerGroup::new(chip.TIMG0).timer0, chip.FROM_CPU_INTR0);
     let config = Config::default()
         .with_frequency(BUS_CLOCK)
@@ -70,6 +74,12 @@ fn wires(chip: Peripherals) -> Option<(SpiDma<'static, Async>, Pins<Output<'stat
         backlight: Output::new(chip.GPIO3, Level::Low, OutputConfig::default()),
     };
     Some((bus, pins))
+}
+
+/// Where the future of a transfer is dropped, the HAL stops the DMA and has SPI2 stop after the byte that it sends, which takes 0.2 us
+/// more: waits for that. The clock counts whole microseconds; of two, at least one passes.
+fn settle(_: &mut Bus) {
+    delay::Delay::new().delay_micros(2);
 }
 
 /// Says why, and stops for ever.

@@ -4,6 +4,8 @@
 //! anomaly 198). Each of two bands therefore fills a block, so that one is drawn while the other one is sent; a command is copied
 //! behind the first band, and the core waits until it is sent.
 
+use core::sync::atomic::{Ordering, compiler_fence};
+
 use embassy_nrf::{
     pac::SPIM3,
     spim::{Error, Spim},
@@ -55,6 +57,15 @@ pub struct Bus {
     command: &'static mut [u8; COMMAND],
 }
 
+impl Bus {
+    /// Waits for the end of a transfer that has begun, 2 ms at most: the DMA goes on where its future is dropped.
+    pub fn settle(&mut self) {
+        while SPIM3.events_end().read() == 0 {}
+        // The band that was sent is drawn over from here on, and not before.
+        compiler_fence(Ordering::SeqCst);
+    }
+}
+
 impl ErrorType for Bus {
     type Error = Error;
 }
@@ -90,10 +101,7 @@ impl SpiBus for Bus {
 /// For bands.
 impl embedded_hal_async::spi::SpiBus for Bus {
     async fn write(&mut self, words: &[u8]) -> Result<(), Error> {
-        let transfer = Transfer;
-        let result = self.spim.write_from_ram(words).await;
-        core::mem::forget(transfer);
-        result
+        self.spim.write_from_ram(words).await
     }
 
     async fn read(&mut self, words: &mut [u8]) -> Result<(), Error> {
@@ -110,15 +118,5 @@ impl embedded_hal_async::spi::SpiBus for Bus {
 
     async fn flush(&mut self) -> Result<(), Error> {
         Ok(())
-    }
-}
-
-/// A transfer that goes on where its future is dropped: the core waits for its end, 2 ms at most, before the panel gets a command
-/// and before the band is drawn again.
-struct Transfer;
-
-impl Drop for Transfer {
-    fn drop(&mut self) {
-        while SPIM3.events_end().read() == 0 {}
     }
 }

@@ -8,7 +8,7 @@
 
 mod bus;
 
-use bus::Blocks;
+use bus::{Blocks, Bus};
 use defmt_rtt as _;
 use embassy_executor::Spawner;
 use embassy_nrf::{
@@ -35,7 +35,7 @@ async fn main(_spawner: Spawner) {
     config.hfclk_source = config::HfclkSource::ExternalXtal;
     let (spim, pins) = wires(embassy_nrf::init(config));
     let (bands, bus) = BLOCKS.take().split(spim);
-    let Ok(mut panel) = Panel::start(bus, pins, &mut Delay) else {
+    let Ok(mut panel) = Panel::start(bus, Bus::settle, pins, &mut Delay) else {
         defmt::panic!("the panel does not start");
     };
     let Err(failure) = show_scenes(&mut panel, bands, |frame| defmt::info!("{}", frame)).await;

@@ -11,6 +11,7 @@ use embassy_stm32::{
     Peripherals, bind_interrupts, dma,
     gpio::{Level, Output, Speed},
     mode::Async,
+    pac::SPI1,
     peripherals,
     rcc::{APBPrescaler, Hse, HseMode, Pll, PllMul, PllPDiv, PllPreDiv, PllSource, Sysclk},
     spi::{self, Spi, mode::Master},
@@ -24,6 +25,9 @@ bind_interrupts!(struct Interrupts {
     DMA2_STREAM3 => dma::InterruptHandler<peripherals::DMA2_CH3>;
 });
 
+/// The bus of the panel.
+type Bus = Spi<'static, Async, Master>;
+
 /// The fastest of SPI1: half of the clock of its bus.
 const BUS_CLOCK: Hertz = Hertz::mhz(50);
 /// Words of a band: four rows.
@@ -36,7 +40,7 @@ static BANDS: ConstStaticCell<[[u16; WORDS]; 2]> = ConstStaticCell::new([[0; WOR
 async fn main(_spawner: Spawner) {
     let chip = embassy_stm32::init(clocks());
     let (bus, pins, mut led) = wires(chip);
-    let Ok(mut panel) = Panel::start(bus, pins, &mut Delay) else {
+    let Ok(mut panel) = Panel::start(bus, settle, pins, &mut Delay) else {
         stop();
     };
     let bands = BANDS.take().each_mut().map(|band| &mut band[..]);
@@ -66,7 +70,7 @@ fn clocks() -> embassy_stm32::Config {
 }
 
 /// The bus, the pins of the panel, and the LED.
-fn wires(chip: Peripherals) -> (Spi<'static, Async, Master>, Pins<Output<'static>>, Output<'static>) {
+fn wires(chip: Peripherals) -> (Bus, Pins<Output<'static>>, Output<'static>) {
     let mut config = spi::Config::default();
     config.frequency = BUS_CLOCK;
     let bus = Spi::new_txonly(chip.SPI1, chip.PA5, chip.PA7, chip.DMA2_CH3, Interrupts, config);
@@ -77,6 +81,14 @@ fn wires(chip: Peripherals) -> (Spi<'static, Async, Master>, Pins<Output<'static
         backlight: Output::new(chip.PB10, Level::Low, Speed::Low),
     };
     (bus, pins, Output::new(chip.PC13, Level::High, Speed::Low))
+}
+
+/// Where the future of a transfer is dropped, the HAL stops the DMA only: waits for the two bytes that SPI1 may have left, and takes
+/// back that it asks the DMA for more, as the HAL does at the end of a transfer.
+fn settle(_: &mut Bus) {
+    while !SPI1.sr().read().txe() {}
+    while SPI1.sr().read().bsy() {}
+    SPI1.cr2().modify(|register| register.set_txdmaen(false));
 }
 
 /// Stops for ever; a debug probe sees where.
