@@ -144,7 +144,7 @@ impl RowStart {
 }
 
 impl<L: Look> Frame<'_, L> {
-    /// The same memory for a shorter time.
+    /// The memory of the scene, borrowed once more for a shorter time.
     pub(super) const fn reborrow(&mut self) -> Frame<'_, L> {
         Frame {
             tables: self.tables.reborrow(),
@@ -156,7 +156,7 @@ impl<L: Look> Frame<'_, L> {
 }
 
 impl<L: Look> Tables<'_, L> {
-    /// The same tables for a shorter time.
+    /// The tables of the frame, borrowed once more for a shorter time.
     pub(super) const fn reborrow(&mut self) -> Tables<'_, L> {
         Tables {
             vertices: self.vertices,

@@ -83,7 +83,7 @@ pub(super) struct RowMemory<'r, L: Look> {
 }
 
 impl<L: Look> RowMemory<'_, L> {
-    /// The same memory for a shorter time.
+    /// The memory of rows, borrowed once more for a shorter time.
     pub(super) fn reborrow(&mut self) -> RowMemory<'_, L> {
         RowMemory {
             active: self.active,

@@ -14,11 +14,11 @@ pub(super) type ColumnOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Colo
 /// first such face, and how many edges are active. Nothing in looks without.
 pub(super) type FaceEdgesOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::FaceEdges;
 
-/// What a look keeps of the silhouette edges that cross a row; nothing in looks without.
+/// The silhouette edges that cross a row, as a look keeps them; nothing in looks without.
 type ActiveEdgesOf<L> = <SilhouettesOf<L> as Silhouettes<<L as Look>::Color>>::ActiveEdges<<L as Look>::Depth>;
 
-/// What looks keep that name more than a depth row: the silhouette edges that cross the row (`A`), the method of visibility
-/// (`V`), and an entry for each pixel of the row (`C`, an array or a slice).
+/// The tables of one row, and the memory of the method of visibility (`V`), in looks that have more than a depth row: the silhouette
+/// edges that cross the row (`A`), and an entry for each of its pixels (`C`, an array or a slice).
 // One reference to all of them, because in looks with none of them it is carried along, too.
 #[derive(Debug)]
 pub(super) struct RowTables<A, V, C: ?Sized> {
@@ -80,7 +80,7 @@ pub(super) struct EdgeTables<'t, L: Look> {
 }
 
 impl<L: Look> EdgeTables<'_, L> {
-    /// The same tables for a shorter time.
+    /// The tables of silhouettes alone, borrowed once more for a shorter time.
     pub(super) const fn reborrow(&mut self) -> EdgeTables<'_, L> {
         EdgeTables {
             active: self.active,

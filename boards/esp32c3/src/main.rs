@@ -76,8 +76,8 @@ fn wires(chip: Peripherals) -> Option<(Bus, Pins<Output<'static>>)> {
     Some((bus, pins))
 }
 
-/// Where the future of a transfer is dropped, the HAL stops the DMA and has SPI2 stop after the byte that it sends, which takes 0.2 us
-/// more: waits for that. The clock counts whole microseconds; of two, at least one passes.
+/// Waits until the bus is idle after the future of a transfer was dropped: the HAL stops the DMA, and has SPI2 stop after the byte that
+/// it sends, which takes 0.2 us more. The clock counts whole microseconds; of two, at least one passes.
 fn settle(_: &mut Bus) {
     delay::Delay::new().delay_micros(2);
 }

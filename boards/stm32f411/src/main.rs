@@ -83,8 +83,8 @@ fn wires(chip: Peripherals) -> (Bus, Pins<Output<'static>>, Output<'static>) {
     (bus, pins, Output::new(chip.PC13, Level::High, Speed::Low))
 }
 
-/// Where the future of a transfer is dropped, the HAL stops the DMA only: waits for the two bytes that SPI1 may have left, and takes
-/// back that it asks the DMA for more, as the HAL does at the end of a transfer.
+/// Waits until the bus is idle after the future of a transfer was dropped: the HAL stops the DMA only, and SPI1 may have two bytes left.
+/// Then SPI1 asks the DMA for no more, as at the end of a transfer.
 fn settle(_: &mut Bus) {
     while !SPI1.sr().read().txe() {}
     while SPI1.sr().read().bsy() {}

@@ -85,7 +85,7 @@ impl<C> defmt::Format for AlignedLayer<'_, C> {
     }
 }
 
-/// How many of some edges are not level.
+/// The number of edges that are not level.
 pub(crate) fn edges_with_height(edges: impl FnOnce(&mut dyn FnMut(Corner, Corner))) -> u32 {
     let mut count = 0u32;
     edges(&mut |from, to| {

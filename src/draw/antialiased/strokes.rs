@@ -96,7 +96,7 @@ pub(crate) struct StrokeOutline<'a> {
     /// Whether corners at the centres of pixels are moved by half a pixel to the left and upwards, where the sides of
     /// pixels are: strokes of an even width along rows and columns then cover whole pixels.
     is_on_pixels: bool,
-    /// What else all corners are moved by, in 1/256 pixel.
+    /// A distance that all corners are moved by besides, in 1/256 pixel.
     shift: Corner,
     is_simple: bool,
 }
