@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { areaOf, circleArea, contourEdges, errors, lineCorners, polygonArea } from "../web/exact.js";
+import { areaOf, circleArea, contour, contourEdges, errors, lineCorners, polygonArea } from "../web/exact.js";
 
 /** Random numbers from 0 to 1: a generator of Park and Miller. */
 function random(seed) {
@@ -133,4 +133,30 @@ test("errors are those of the edge pixels", () => {
   assert.equal(count, 2);
   near(largest, 1, 1e-9, "the largest");
   near(rms, Math.sqrt((0.25 + 1) / 2), 1e-9, "the rms");
+});
+
+test("the contour of faces has no edge that two of them share", () => {
+  const next = random(11);
+  for (let round = 0; round < 50; round++) {
+    // A fan around a point, with one face missing, and a face by itself that lies twice over it.
+    const middle = [next() * 4, next() * 4];
+    const rim = Array.from({ length: 7 }, (_, index) => {
+      const angle = (index / 7) * 2 * Math.PI;
+      return [middle[0] + (1 + next()) * Math.cos(angle), middle[1] + (1 + next()) * Math.sin(angle)];
+    });
+    const faces = rim.slice(1).map((to, index) => [middle, rim[index], to]);
+    const alone = [
+      [0, 0],
+      [5, 1],
+      [1, 5],
+    ];
+    const edges = [...faces, alone, alone].flatMap(contourEdges),
+      left = contour(edges);
+    assert.equal(left.length, 6 + 2 + 3 + 3);
+    for (let row = 0; row < 5; row++) {
+      for (let column = 0; column < 5; column++) {
+        near(polygonArea(left, false, column, row), polygonArea(edges, false, column, row), 1e-12, "area");
+      }
+    }
+  }
 });

@@ -15,6 +15,7 @@ import {
   address,
   picture,
   read,
+  selectedOf,
 } from "../web/state.js";
 
 test("an address that was written is read as what it was", () => {
@@ -25,6 +26,22 @@ test("an address that was written is read as what it was", () => {
   const looked = `${text}&selected=1&point=1&loupe=12:34`;
   assert.equal(address(read(looked)), looked);
   assert.equal(read(looked).items[0].text, "42 km/h,&");
+});
+
+test("a teapot is selected where an address says so, and where there is nothing else", () => {
+  const item = "&item=circle,ff8000,0,10:10;20:10";
+  for (const [text, selected, kind] of [
+    [`pot=flat${item}&selected=pot`, "pot", "pot"],
+    [`pot=none${item}&selected=pot`, 0, "circle"],
+    [`pot=flat${item}`, 0, "circle"],
+    ["pot=flat&selected=3", "pot", "pot"],
+    ["pot=none", 0, undefined],
+  ]) {
+    const state = read(text);
+    assert.equal(state.selected, selected, text);
+    assert.equal(selectedOf(state)?.kind, kind, text);
+    assert.equal(address(read(address(state))), address(state));
+  }
 });
 
 test("what cannot be read is left out", () => {

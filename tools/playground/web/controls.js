@@ -9,6 +9,7 @@ import {
   METHODS,
   MOST_ITEMS,
   MOST_POINTS,
+  POT,
   POTS,
   PRECISIONS,
   ROWS,
@@ -144,7 +145,7 @@ export class Controls {
     });
     button("remove", (state) => {
       state.items.splice(state.selected, 1);
-      [state.selected, state.point] = [Math.max(Math.min(state.selected, state.items.length - 1), 0), 0];
+      state.point = 0;
     });
     button("add-point", (state) => {
       const { points } = state.items[state.selected];
@@ -190,22 +191,26 @@ export class Controls {
     const { app } = this,
       { state } = app,
       list = element("items");
-    const entries = state.items.map((item, index) => {
+    const entry = (item, value) => {
       const label = document.createElement("label"),
         radio = document.createElement("input"),
         swatch = document.createElement("span");
-      Object.assign(radio, { type: "radio", name: "item", checked: index === state.selected });
-      radio.addEventListener("change", () => app.select(index, 0));
+      Object.assign(radio, { type: "radio", name: "item", value, checked: value === state.selected });
+      radio.addEventListener("change", () => app.select(value, 0));
       swatch.className = "swatch";
-      swatch.style.background = `#${item.color}`;
+      // The teapot has many colours.
+      if (item.color) swatch.style.background = `#${item.color}`;
+      else swatch.style.visibility = "hidden";
       label.append(radio, swatch, app.title(item));
       return label;
-    });
-    const focused = [...list.querySelectorAll("input")].indexOf(document.activeElement);
+    };
+    const entries = state.items.map(entry);
+    if (state.pot !== "none") entries.unshift(entry({ kind: POT }, POT));
+    const hasFocus = list.contains(document.activeElement);
     list.replaceChildren(...entries);
-    if (focused >= 0) list.querySelectorAll("input")[Math.min(state.selected, entries.length - 1)]?.focus();
+    if (hasFocus) list.querySelector("input:checked")?.focus();
     element("add").disabled = state.items.length === MOST_ITEMS;
-    element("remove").disabled = state.items.length === 0;
+    element("remove").disabled = !state.items[state.selected];
   }
 
   showItem() {

@@ -1,6 +1,7 @@
 // The library as WebAssembly: texts and numbers go in, bytes come out of its memory.
 
-import { WIDTH, HEIGHT, picture } from "./state.js";
+import { POT, WIDTH, HEIGHT, picture } from "./state.js";
+import { contour } from "./exact.js";
 
 /** The most bytes of a state that the program has room for: `ADDRESS` in wasm/src/border.rs. */
 export const MOST_BYTES = 8192;
@@ -35,15 +36,21 @@ class Engine {
     return new Uint8ClampedArray(this.exports.memory.buffer, this.exports.pixel_buffer(), 4 * WIDTH * HEIGHT);
   }
 
-  /** The coverage of each pixel by an item. */
+  /** The coverage of each pixel by an item, or by the teapot. */
   cover(item) {
-    this.exports.cover(item);
+    if (item === POT) this.exports.cover_pot();
+    else this.exports.cover(item);
     return new Uint8Array(this.exports.memory.buffer, this.exports.mask_buffer(), WIDTH * HEIGHT);
   }
 
-  /** The edges of an item, in pixels, as it is drawn. */
+  /** The edges of an item, in pixels, as it is drawn; of the teapot those between what faces the viewer and what does not. */
   edges(item) {
-    const count = this.exports.edges(item);
+    if (item === POT) return contour(this.edgesOf(this.exports.pot_edges()));
+    return this.edgesOf(this.exports.edges(item));
+  }
+
+  /** So many edges of the buffer. */
+  edgesOf(count) {
     const numbers = new Int32Array(this.exports.memory.buffer, this.exports.edge_buffer(), 4 * count);
     return Array.from({ length: count }, (_, edge) =>
       Array.from(numbers.subarray(4 * edge, 4 * edge + 4), (units) => units / 256),

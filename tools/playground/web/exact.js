@@ -6,6 +6,18 @@
 /** The edges of a closed contour, each from one point to the next. */
 export const contourEdges = (points) => points.map((to, index) => [...points.at(index - 1), ...to]);
 
+/** The edges of faces, clockwise, without those that two faces share: each of them goes one way and the other. */
+export function contour(edges) {
+  const left = new Map();
+  for (const edge of edges) {
+    const [x0, y0, x1, y1] = edge,
+      back = [x1, y1, x0, y0].join();
+    if (left.get(back)?.length) left.get(back).pop();
+    else left.set(edge.join(), [...(left.get(edge.join()) ?? []), edge]);
+  }
+  return [...left.values()].flat();
+}
+
 /** The corners of the rectangle around a line of some width. */
 export function lineCorners([[x0, y0], [x1, y1]], width) {
   const length = Math.hypot(x1 - x0, y1 - y0);
@@ -135,19 +147,22 @@ function byRows(edges) {
   return rows;
 }
 
-/** A function of column and row that gives the exact area of an item; `flattened` are the edges of a text. */
-export function areaOf(item, flattened) {
+/** A function of column and row that gives the exact area of an item; `drawn` are the edges of a text or of the teapot. */
+export function areaOf(item, drawn) {
   if (item.kind === "circle") {
     const [[x0, y0], [x1, y1]] = item.points;
     const radius = Math.hypot(x1 - x0, y1 - y0);
     return (column, row) => circleArea([x0, y0], radius, column, row);
   }
-  const edges =
-    item.kind === "text"
-      ? flattened
-      : contourEdges(item.kind === "line" ? lineCorners(item.points, item.size) : item.points);
+  const edges = edgesOf(item, drawn);
   const rows = byRows(edges);
   return (column, row) => (!rows.has(row) ? 0 : polygonArea(rows.get(row), item.kind === "even_odd", column, row));
+}
+
+/** The edges of an item that is no circle; `drawn` are those of a text or of the teapot. */
+export function edgesOf(item, drawn) {
+  if (!item.points || item.kind === "text") return drawn;
+  return contourEdges(item.kind === "line" ? lineCorners(item.points, item.size) : item.points);
 }
 
 /** The rms and the largest error of a mask, in 1/255 of a pixel, over the pixels that an edge passes through or that differ. */

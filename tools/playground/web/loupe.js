@@ -1,7 +1,7 @@
 // The loupe: some pixels magnified 16 times, and beside them the error of their coverage as a heat map.
 
-import { WIDTH, HEIGHT, picture } from "./state.js";
-import { areaOf, contourEdges, errors, lineCorners } from "./exact.js";
+import { POT, WIDTH, HEIGHT, picture, selectedOf } from "./state.js";
+import { areaOf, edgesOf, errors } from "./exact.js";
 import { direction } from "./panel.js";
 
 const ZOOM = 16;
@@ -12,6 +12,13 @@ const CALM = 120;
 const MIDDLE = [LOUPE_COLUMNS / 2, LOUPE_ROWS / 2];
 /** An error of this many 1/255 has the strongest colour. */
 const STRONGEST = 127;
+
+/** What the error of an item is measured against, where it is not the shape itself. */
+const MEASURED = { text: "its flattened outline", [POT]: "all faces that are turned to the viewer" };
+
+/** The uppermost end of edges; the middle of the panel without edges. */
+const uppermost = (edges) =>
+  edges.reduce(([x, y], [x0, y0]) => (y0 < y ? [x0, y0] : [x, y]), edges[0]?.slice(0, 2) ?? [WIDTH / 2, HEIGHT / 2]);
 
 /** A number with three digits. */
 const digits = (number) => (number === 0 ? "0" : number >= 100 ? number.toFixed(0) : number.toPrecision(3));
@@ -83,25 +90,27 @@ export class Loupe {
 
   /** The upper left pixel: where the loupe was put, or around the selected point. */
   corner() {
-    const { state } = this.app;
+    const { state, engine } = this.app;
     if (state.loupe) return this.inside(state.loupe);
+    if (state.selected === POT) return around(uppermost(engine.edges(POT)));
     return around(state.items[state.selected]?.points[state.point] ?? [WIDTH / 2, HEIGHT / 2]);
   }
 
   show() {
     const corner = this.corner(),
       { state, engine } = this.app,
-      item = state.items[state.selected];
+      item = selectedOf(state),
+      drawn = item && engine.edges(state.selected);
     const frame = document.getElementById("frame").style;
     [frame.left, frame.top] = [`${(100 * corner[0]) / WIDTH}%`, `${(100 * corner[1]) / HEIGHT}%`];
     [frame.width, frame.height] = [`${(100 * LOUPE_COLUMNS) / WIDTH}%`, `${(100 * LOUPE_ROWS) / HEIGHT}%`];
-    this.magnify(corner);
+    this.magnify(corner, item, drawn);
     this.mark(this.picture);
-    if (item) this.showError(corner, item, engine.cover(state.selected), engine.edges(state.selected));
+    if (item) this.showError(corner, item, engine.cover(state.selected), drawn);
     else this.clear();
   }
 
-  magnify([left, top]) {
+  magnify([left, top], item, drawn) {
     const context = this.picture.getContext("2d"),
       pixels = this.app.engine.pixels();
     this.each(([column, row, x, y]) => {
@@ -109,24 +118,22 @@ export class Loupe {
       context.fillStyle = `rgb(${pixels[at]} ${pixels[at + 1]} ${pixels[at + 2]})`;
       context.fillRect(x, y, ZOOM, ZOOM);
     });
-    const { state } = this.app,
-      item = state.items[state.selected];
     if (item)
-      this.outline(context, [left, top], item, [
+      this.outline(context, [left, top], item, drawn, [
         ["#000c", 3],
         ["#fffc", 1],
       ]);
   }
 
   /** The exact outline, in strokes of a colour and a width one over the other. */
-  outline(context, [left, top], item, strokes) {
+  outline(context, [left, top], item, drawn, strokes) {
     const place = ([x, y]) => [(x + 0.5 - left) * ZOOM, (y + 0.5 - top) * ZOOM];
     const path = new Path2D();
     if (item.kind === "circle") {
       const [[x0, y0], [x1, y1]] = item.points;
       path.arc(...place([x0, y0]), Math.hypot(x1 - x0, y1 - y0) * ZOOM, 0, 2 * Math.PI);
     } else {
-      for (const [x0, y0, x1, y1] of this.edges(item)) {
+      for (const [x0, y0, x1, y1] of edgesOf(item, drawn)) {
         path.moveTo(...place([x0, y0]));
         path.lineTo(...place([x1, y1]));
       }
@@ -138,13 +145,8 @@ export class Loupe {
     }
   }
 
-  edges(item) {
-    if (item.kind === "text") return this.app.engine.edges(this.app.state.selected);
-    return contourEdges(item.kind === "line" ? lineCorners(item.points, item.size) : item.points);
-  }
-
-  showError([left, top], item, mask, flattened) {
-    const area = areaOf(item, flattened),
+  showError([left, top], item, mask, drawn) {
+    const area = areaOf(item, drawn),
       context = this.heat.getContext("2d"),
       colors = this.colors();
     this.each(([column, row, x, y]) => {
@@ -153,7 +155,7 @@ export class Loupe {
       context.fillStyle = mixed(mask[at] - exact, colors);
       context.fillRect(x, y, ZOOM, ZOOM);
     });
-    this.outline(context, [left, top], item, [[colors.line, 1]]);
+    this.outline(context, [left, top], item, drawn, [[colors.line, 1]]);
     this.mark(this.heat);
     this.showPixel([left, top], mask, area);
     document.getElementById("heat-text").textContent =
@@ -171,7 +173,7 @@ export class Loupe {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       const { rms, largest, count } = errors(engine.cover(state.selected), area, WIDTH, HEIGHT);
-      const of = item.kind === "text" ? "its flattened outline" : "what is drawn in exact arithmetic";
+      const of = MEASURED[item.kind] ?? "what is drawn in exact arithmetic";
       text.dataset.shown = shown;
       text.textContent =
         `${this.app.title(item)} on ${count} edge pixels: rms error ` +
@@ -206,7 +208,7 @@ export class Loupe {
     delete document.getElementById("error-text").dataset.shown;
     document.getElementById("pixel-text").textContent = "";
     this.heat.getContext("2d").clearRect(0, 0, this.heat.width, this.heat.height);
-    document.getElementById("heat-text").textContent = "Select an item to see the error of its coverage.";
+    document.getElementById("heat-text").textContent = "Select an item or the teapot to see the error of its coverage.";
     document.getElementById("error-text").textContent = "";
   }
 

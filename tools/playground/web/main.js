@@ -1,6 +1,6 @@
 // Puts the page together: a change of the state draws the picture, and shows everything that depends on it.
 
-import { FARTHEST, KINDS, WIDTH, address, picture, read } from "./state.js";
+import { FARTHEST, KINDS, POT, WIDTH, address, picture, read, select } from "./state.js";
 import { start } from "./engine.js";
 import { Panel } from "./panel.js";
 import { Loupe, around } from "./loupe.js";
@@ -39,7 +39,10 @@ class App {
   }
 
   change(apply) {
-    apply(this.state);
+    const { state } = this;
+    apply(state);
+    // The selected item may be gone.
+    select(state, state.selected, state.point);
     this.draw();
     this.writeSoon();
   }
@@ -59,9 +62,12 @@ class App {
     });
   }
 
-  /** The uppermost item that covers a pixel; -1 where there is none. */
+  /** The uppermost item that covers a pixel, the teapot, or nothing. */
   itemAt(column, row) {
-    return this.state.items.findLastIndex((_, item) => this.engine.cover(item)[row * WIDTH + column] > 0);
+    const covers = (item) => this.engine.cover(item)[row * WIDTH + column] > 0;
+    const index = this.state.items.findLastIndex((_, item) => covers(item));
+    if (index >= 0) return index;
+    return this.state.pot !== "none" && covers(POT) ? POT : undefined;
   }
 
   loupeAround(position) {
@@ -70,6 +76,7 @@ class App {
 
   /** What an item is called. */
   title(item) {
+    if (item.kind === POT) return "Teapot";
     return item.kind === "text" ? `Text “${item.text}”` : KINDS.find(([name]) => name === item.kind)[1];
   }
 

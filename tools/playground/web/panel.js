@@ -90,18 +90,18 @@ export class Panel {
     ];
   }
 
-  /** A click selects the item on top there, or moves the loupe; dragging turns the teapot. */
+  /** A click selects what is on top there, an item or the teapot, or moves the loupe; dragging turns the teapot. */
   press(event) {
     const { app } = this,
       start = this.position(event),
       { turn, tilt } = app.state;
     const [column, row] = start.map(Math.round);
     const item = app.itemAt(column, row);
-    if (item >= 0) app.select(item, 0);
+    if (item !== undefined) app.select(item, 0);
     app.change((state) => {
       state.loupe = app.loupeAround([column, row]);
     });
-    if (item >= 0 || app.state.pot === "none") return;
+    if (typeof item === "number" || app.state.pot === "none") return;
     this.canvas.setPointerCapture(event.pointerId);
     const move = (moved) => {
       const [x, y] = this.position(moved);

@@ -5,6 +5,8 @@ export const WIDTH = 240;
 export const HEIGHT = 320;
 /** Units of a pixel: positions are kept in 1/256 pixel. */
 export const UNITS = 256;
+/** What stands for the teapot where an item is selected. */
+export const POT = "pot";
 export const MOST_ITEMS = 12;
 export const MOST_POINTS = 16;
 
@@ -81,7 +83,7 @@ export function emptyState() {
     rows: 1,
     depth: "rgb565",
     items: [],
-    // What the picture does not depend on: the selected item and point, and the upper left pixel of the loupe.
+    // What the picture does not depend on: the selected item (or the teapot) and point, and the upper left pixel of the loupe.
     selected: 0,
     point: 0,
     loupe: null,
@@ -95,10 +97,24 @@ export function read(address) {
     const at = pair.indexOf("=");
     if (at > 0) set(state, pair.slice(0, at), pair.slice(at + 1));
   }
-  state.selected = clamp(state.selected, 0, Math.max(state.items.length - 1, 0));
-  const item = state.items[state.selected];
-  state.point = clamp(state.point, 0, Math.max((item?.points.length ?? 1) - 1, 0));
+  return select(state, state.selected, state.point);
+}
+
+/** Selects an item or the teapot, and a point, or the nearest that there is. */
+export function select(state, selected, point) {
+  const { items } = state,
+    hasPot = state.pot !== "none";
+  const isPot = hasPot && (selected === POT || items.length === 0);
+  const index = selected === POT ? 0 : clamp(selected, 0, Math.max(items.length - 1, 0));
+  state.selected = isPot ? POT : index;
+  state.point = clamp(point, 0, Math.max((items[state.selected]?.points.length ?? 1) - 1, 0));
   return state;
+}
+
+/** What is selected: an item, the teapot, or nothing. */
+export function selectedOf(state) {
+  if (state.selected === POT) return { kind: POT };
+  return state.items[state.selected];
 }
 
 function set(state, key, value) {
@@ -123,6 +139,7 @@ function set(state, key, value) {
     case "rows":
       return whole(16, Math.min);
     case "selected":
+      if (value === POT) state.selected = POT;
       return whole(MOST_ITEMS - 1, Math.min);
     case "point":
       return whole(MOST_POINTS - 1, Math.min);

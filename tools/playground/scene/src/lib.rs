@@ -21,6 +21,6 @@ mod state;
 
 pub use coverage::bytes_per_row;
 pub use panel_color::PanelColor;
-pub use playground::{AREA, BACKGROUND, EDGES, Footprint, HEIGHT, Playground, WIDTH};
+pub use playground::{AREA, BACKGROUND, EDGES, Footprint, HEIGHT, POT_EDGES, Playground, WIDTH};
 pub use presets::{COUNTED_ROWS, EMPTY_COUNT, POT_COUNT, PRESETS, Preset};
 pub use state::{Depth, ITEMS, Item, Kind, Method, POINTS, Pot, Precision, State};

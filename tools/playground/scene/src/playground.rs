@@ -31,6 +31,8 @@ pub const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(WIDTH as u32
 pub const BACKGROUND: Rgb888 = Rgb888::new(12, 16, 24);
 /// The most edges of an item.
 pub const EDGES: usize = 1024;
+/// The most edges of the teapot's faces: of 992 triangles fewer than two thirds are turned to the viewer.
+pub const POT_EDGES: usize = 2048;
 /// The most edges of an item that lie in the same row.
 pub const ACTIVE: usize = 256;
 
@@ -206,6 +208,23 @@ impl Playground {
         if let Some(item) = self.state.items.get(item) {
             outline(item, &self.state).edges(edge);
         }
+    }
+
+    /// Writes the coverage of each pixel of the panel by the teapot into a mask; nothing where there is none.
+    ///
+    /// # Errors
+    /// Those of the scene.
+    pub fn cover_pot(&self, mask: &mut [u8; WIDTH * HEIGHT]) -> Result<(), InputError> {
+        pot::cover(&self.state, mask)
+    }
+
+    /// Calls with the ends of each edge of the teapot's faces that are turned to the viewer, clockwise, in 1/256 pixel: one that
+    /// two of them share is there in both directions.
+    ///
+    /// # Errors
+    /// Those of the scene.
+    pub fn pot_edges(&self, edge: &mut dyn FnMut([i32; 2], [i32; 2])) -> Result<(), InputError> {
+        pot::edges(&self.state, edge)
     }
 
     /// The memory that the picture takes.

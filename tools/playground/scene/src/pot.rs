@@ -1,12 +1,15 @@
 //! The teapot behind the items, in the look that the state names. It is drawn in RGB565 for every panel: a look for each
 //! colour would be three times as much code.
 
-use embedded_graphics::{geometry::Dimensions, pixelcolor::Rgb565};
+use embedded_graphics::{
+    geometry::Dimensions,
+    pixelcolor::{Gray8, GrayColor, Rgb565},
+};
 use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::Band,
-    geometry::InputError,
-    scene::{Antialiased, Camera, FaceSet, Look, Memory, Model, OnePass, Pose, Rotation, Whole},
+    geometry::{InputError, Sub4, SubPoint},
+    scene::{Antialiased, Camera, FaceSet, Look, Memory, Model, OnePass, Pose, Prepared, Rotation, Whole},
     shade::{
         FlatLit, FlatLitSkin, Fog, Foggy, Gouraud, GouraudSkin, LitTextured, LitTexturedSkin, Shading, Texels,
         Translucent,
@@ -29,6 +32,8 @@ const FACES: usize = TEAPOT.faces().len();
 const ACTIVE: usize = 140;
 /// A quarter of a length of 1, in units of the vertices.
 const NEAR: I16F16 = I16F16::lit("128");
+/// The colours of faces on black, so that a pixel is as bright as it is covered.
+const WHITE: &[Gray8] = &[Gray8::WHITE; FACES];
 /// From where the pot fills the width of the panel.
 const DISTANCE: I16F16 = I16F16::lit("736");
 /// The colour of a pot without a texture.
@@ -111,6 +116,67 @@ pub fn convert<C: DrawnColor>(pot: DrawPot<'_>, words: &mut Words, band: &mut Ba
     }
 }
 
+/// Writes the coverage of each pixel of the panel by the pot of a state into a mask; nothing where there is no pot.
+///
+/// # Errors
+/// Those of the scene.
+pub fn cover(state: &State, mask: &mut [u8; WIDTH * HEIGHT]) -> Result<(), InputError> {
+    mask.fill(0);
+    match state.pot {
+        Pot::None => Ok(()),
+        Pot::Silhouettes => {
+            let surface = TEAPOT.with_neighbours(&TEAPOT_NEIGHBOURS);
+            covered::<Whole<OnePass<Antialiased<Gray8>>>>(state, surface, mask)
+        }
+        _ => covered::<Whole<OnePass<Gray8>>>(state, TEAPOT, mask),
+    }
+}
+
+/// Calls with both ends of each edge of the faces of the pot that are turned to the viewer, clockwise, in 1/256 pixel.
+///
+/// # Errors
+/// Those of the scene.
+pub fn edges(state: &State, edge: &mut dyn FnMut([i32; 2], [i32; 2])) -> Result<(), InputError> {
+    if state.pot == Pot::None {
+        return Ok(());
+    }
+    with_prepared::<Whole<OnePass<Gray8>>>(state, TEAPOT, WHITE, &mut |pot| {
+        for face in pot.faces() {
+            let corners @ [a, b, c] = face.corners.map(|corner| units(corner.point));
+            if is_clockwise(corners) {
+                edge(a, b);
+                edge(b, c);
+                edge(c, a);
+            }
+        }
+    })
+}
+
+/// A position in 1/256 pixel.
+fn units(point: SubPoint<Sub4>) -> [i32; 2] {
+    [point.x_units(), point.y_units()].map(|units| units * 16)
+}
+
+/// Whether corners run clockwise on the screen, as those of a face do that is turned to the viewer.
+fn is_clockwise([a, b, c]: [[i32; 2]; 3]) -> bool {
+    let [[x1, y1], [x2, y2]] = [b, c].map(|[x, y]| [x - a[0], y - a[1]].map(i64::from));
+    x1 * y2 > x2 * y1
+}
+
+/// Draws the pot in white into a mask that is black.
+fn covered<L>(state: &State, mesh: FaceSet<'_>, mask: &mut [u8; WIDTH * HEIGHT]) -> Result<(), InputError>
+where
+    L: Look<Color = Gray8>,
+    L::Shading: for<'a> Shading<Skin<'a> = &'a [Gray8]>,
+{
+    with_prepared::<L>(state, mesh, WHITE, &mut |pot| {
+        // No error: the mask has a byte for each pixel of the panel.
+        if let Ok(mut band) = Band::<Gray8>::new(AREA, mask) {
+            pot.draw(&mut band);
+        }
+    })
+}
+
 /// Draws the pot in a look.
 #[inline(never)]
 fn prepared<'a, L: Look<Color = Rgb565>>(
@@ -119,13 +185,23 @@ fn prepared<'a, L: Look<Color = Rgb565>>(
     skin: <L::Shading as Shading>::Skin<'a>,
     draw: &mut dyn FnMut(DrawPot<'_>),
 ) -> Result<(), InputError> {
+    with_prepared::<L>(state, mesh, skin, &mut |pot| draw(&mut |band| pot.draw(band)))
+}
+
+/// Prepares the pot in a look and calls with it.
+fn with_prepared<'a, L: Look>(
+    state: &State,
+    mesh: FaceSet<'a>,
+    skin: <L::Shading as Shading>::Skin<'a>,
+    call: &mut dyn FnMut(&mut Prepared<'_, '_, L>),
+) -> Result<(), InputError> {
     let mut memory = Memory::<L, VERTICES, FACES, WIDTH, HEIGHT, ACTIVE>::new();
     let camera = Camera::new(AREA, NEAR)?;
     let rotation = Rotation::about_x(angle(state.tilt)).then(&Rotation::about_y(angle(state.turn)));
     let pose = Pose::new(rotation, [I16F16::ZERO, I16F16::ZERO, DISTANCE]);
     let models = [Model::<L::Shading>::with_skin(mesh, skin)?.with_pose(pose)];
     let mut pot = memory.prepare(&camera, &models)?;
-    draw(&mut |band| pot.draw(band));
+    call(&mut pot);
     Ok(())
 }
 

@@ -2,7 +2,7 @@
 
 use atomic_refcell::AtomicRefCell;
 use embedded_graphics::pixelcolor::{BinaryColor, Gray4, Rgb565, Rgb888};
-use zrow_playground_scene::{Depth, EDGES, HEIGHT, PanelColor, Playground, WIDTH};
+use zrow_playground_scene::{Depth, EDGES, HEIGHT, POT_EDGES, PanelColor, Playground, WIDTH};
 
 use crate::canvas::{Canvas, Pixels};
 
@@ -10,6 +10,8 @@ use crate::canvas::{Canvas, Pixels};
 const ADDRESS: usize = 8192;
 /// Numbers of an edge: x and y of both ends.
 const EDGE: usize = 4;
+/// Numbers of the most edges of an item or of the teapot.
+const EDGE_NUMBERS: usize = EDGE * if EDGES > POT_EDGES { EDGES } else { POT_EDGES };
 
 /// All memory.
 struct Memory {
@@ -17,7 +19,7 @@ struct Memory {
     playground: Playground,
     pixels: Pixels,
     mask: [u8; WIDTH * HEIGHT],
-    edges: [i32; EDGE * EDGES],
+    edges: [i32; EDGE_NUMBERS],
 }
 
 static MEMORY: AtomicRefCell<Memory> = AtomicRefCell::new(Memory {
@@ -25,7 +27,7 @@ static MEMORY: AtomicRefCell<Memory> = AtomicRefCell::new(Memory {
     playground: Playground::new(),
     pixels: [0; size_of::<Pixels>()],
     mask: [0; WIDTH * HEIGHT],
-    edges: [0; EDGE * EDGES],
+    edges: [0; EDGE_NUMBERS],
 });
 
 /// Runs a function on the memory; the default of its result while it runs already, which does not happen.
@@ -51,9 +53,10 @@ buffers! {
     address_buffer: address;
     /// Red, green, blue and 255 for each pixel of the panel, row by row.
     pixel_buffer: pixels;
-    /// The coverage of each pixel of the panel by the item that was asked for last.
+    /// The coverage of each pixel of the panel by the item that was asked for last, or by the teapot.
     mask_buffer: mask;
-    /// The edges of the item that was asked for last: x and y of the first and of the second end, in 1/256 pixel.
+    /// The edges of the item that was asked for last, or of the teapot's faces: x and y of the first and of the second end, in 1/256
+    /// pixel.
     edge_buffer: edges;
 }
 
@@ -98,10 +101,34 @@ pub extern "C" fn cover(item: usize) {
 // SAFETY: no other function of the program has this name.
 #[unsafe(no_mangle)]
 pub extern "C" fn edges(item: usize) -> usize {
+    write_edges(|playground, edge| playground.edges(item, edge))
+}
+
+/// Writes the coverage of the teapot into its buffer.
+// SAFETY: no other function of the program has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn cover_pot() {
+    // No error: a state with this pot was drawn before.
+    with(|Memory { playground, mask, .. }| playground.cover_pot(mask).unwrap_or_default());
+}
+
+/// Writes the edges of the teapot's faces into their buffer, and returns how many there are.
+// SAFETY: no other function of the program has this name.
+#[unsafe(no_mangle)]
+pub extern "C" fn pot_edges() -> usize {
+    // No error: a state with this pot was drawn before.
+    write_edges(|playground, edge| playground.pot_edges(edge).unwrap_or_default())
+}
+
+/// Receives both ends of each edge.
+type Edges<'e> = &'e mut dyn FnMut([i32; 2], [i32; 2]);
+
+/// Writes edges into their buffer, and returns how many there are.
+fn write_edges(call: impl FnOnce(&Playground, Edges<'_>)) -> usize {
     with(|Memory { playground, edges, .. }| {
         let mut places = edges.chunks_exact_mut(EDGE);
         let mut count = 0;
-        playground.edges(item, &mut |[x0, y0], [x1, y1]| {
+        call(playground, &mut |[x0, y0], [x1, y1]| {
             if let Some(place) = places.next() {
                 place.copy_from_slice(&[x0, y0, x1, y1]);
                 count += 1;
