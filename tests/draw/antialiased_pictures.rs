@@ -231,6 +231,48 @@ proptest! {
     }
 }
 
+/// Adds an item, or puts it in the place of another one, in a picture with memory of some capacities. Returns what the picture shows,
+/// or the error.
+fn shown_with<const CELLS: usize, const SEGMENTS: usize>(
+    item: &Item,
+    is_replaced: bool,
+) -> Result<Vec<u16>, InputError> {
+    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], vec![0; 40_000], [0; 40]);
+    let mut memory = AntialiasingMemory::<CELLS, SEGMENTS, 0>::new();
+    let mut picture = Picture::new(AREA, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
+    if is_replaced {
+        let square = Rectangle::new(Point::new(3, 3), Size::new(9, 9));
+        let square = picture.add(&square.into_styled(PrimitiveStyle::with_fill(Rgb565::WHITE)))?;
+        item.replace(&mut picture, square)?;
+    } else {
+        item.add(&mut picture)?;
+    }
+    Ok(words(AREA, |band| picture.draw(band)))
+}
+
+proptest! {
+    #![proptest_config(config(cases(4_000, 40_000)))]
+    /// What is taken is shown, however little memory there is: also what needs cells alone, as discs and ellipses do.
+    #[test]
+    fn no_item_is_taken_and_not_shown(item in items(), is_replaced in any::<bool>()) {
+        let expected = drawn(std::slice::from_ref(&item));
+        for (cells, shown) in [
+            (0, shown_with::<0, 0>(&item, is_replaced)),
+            (1, shown_with::<1, 500>(&item, is_replaced)),
+            (2, shown_with::<2, 0>(&item, is_replaced)),
+            (2, shown_with::<2, 6>(&item, is_replaced)),
+            (49, shown_with::<49, 500>(&item, is_replaced)),
+        ] {
+            match shown {
+                Ok(shown) => prop_assert_eq!(shown.iter().zip(&expected).position(|(one, other)| one != other), None),
+                Err(InputError::TooSmall(TooSmall::Cells(needed))) => prop_assert!(cells < needed && needed == 2),
+                Err(InputError::TooSmall(TooSmall::ActiveEdges(_))) => prop_assert!(cells == 2),
+                Err(error) => prop_assert!(false, "{}", error),
+            }
+        }
+    }
+}
+
 /// A path's last contour may be a single point: the first one is convex all the same, and drawn by the method for those.
 #[test]
 fn a_contour_of_a_single_point_changes_nothing() {

@@ -369,6 +369,26 @@ fn what_does_not_fit_says_what_would() {
     assert_eq!(picture.words_used(), 1 + 1 + 4 + 3);
 }
 
+/// A text whose glyphs do not cross themselves needs cells alone, and is no item where there are none.
+#[test]
+fn simple_glyphs_need_cells_alone() {
+    fn shown<const CELLS: usize, const SEGMENTS: usize>() -> Result<Vec<u16>, InputError> {
+        let window = Rectangle::new(Point::zero(), Size::new(60, 40));
+        let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 16]);
+        let mut memory = AntialiasingMemory::<CELLS, SEGMENTS, 0>::new();
+        let mut picture = Picture::<Rgb565>::new(window, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
+        picture.add(&Text::new("VoV", Point::new(2, 30), style(&FONT, 24 * 256, 1)))?;
+        let mut words = vec![0; 60 * 40];
+        picture.draw(&mut Band::<Rgb565>::new(window, &mut words)?);
+        Ok(words)
+    }
+    let expected = shown::<61, 64>().unwrap();
+    assert!(expected.iter().any(|word| *word > 0));
+    assert_eq!(shown::<61, 0>().as_ref(), Ok(&expected));
+    assert_eq!(shown::<2, 0>().as_ref(), Ok(&expected));
+    assert_eq!(shown::<1, 64>(), Err(InputError::TooSmall(TooSmall::Cells(2))));
+}
+
 /// A text as one outline, in bands of any height from the last one up and from the first one down, and as the clip path of a
 /// group: where no two glyphs overlap, it is the text.
 #[test]

@@ -18,6 +18,17 @@ pub(crate) struct Stored {
     pub(crate) segments: usize,
 }
 
+impl Stored {
+    /// The segments for which there has to be memory; `None` where the outline has no pixels.
+    pub(crate) const fn segments_needed(&self) -> Option<usize> {
+        if self.bounds.is_empty() {
+            None
+        } else {
+            Some(self.segments)
+        }
+    }
+}
+
 /// Writes the header of an outline that begins at a word.
 pub(super) fn set_header(payload: &mut Payload<'_>, start: usize, header: Header) {
     for (index, word) in (start..).zip(header.to_words()) {

@@ -176,7 +176,7 @@ impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for PathGroup<'_> {
         self.group.write(payload);
         let stored = outline::store_whole(self.path, self.fill_rule, payload);
         Draft {
-            segments: stored.map(|stored| stored.segments),
+            segments: stored.map(|stored| stored.segments_needed()),
             ..Draft::new(Extent::of(&WHOLE), not_used::<C>(), &BeginInPath)
         }
     }

@@ -408,11 +408,11 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         self.begin_anew();
     }
 
-    /// Whether an item can be drawn that has so many segments in a row.
-    fn check(&mut self, segments: Result<usize, InputError>) -> Result<(), InputError> {
+    /// Whether there is memory for an item that has so many segments in a row, if it needs any.
+    fn check(&mut self, segments: Result<Option<usize>, InputError>) -> Result<(), InputError> {
         match segments? {
-            0 => Ok(()),
-            segments => Ok(self.pool.memory().check(segments)?),
+            None => Ok(()),
+            Some(segments) => Ok(self.pool.memory().check(segments)?),
         }
     }
 

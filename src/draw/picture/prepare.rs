@@ -34,8 +34,9 @@ pub struct Draft<'a, C: BandColor, O: Order> {
     pub(super) extent: Extent,
     pub(super) word: C::Word,
     pub(super) kind: Option<&'a dyn PictureItem<C, O>>,
-    /// Segments that a row of the item has at most, for items that are antialiased.
-    pub(super) segments: Result<usize, InputError>,
+    /// Segments that a row of an item has at most which needs the memory of antialiasing: 0 where it needs cells alone, and `None`
+    /// where it needs none of it.
+    pub(super) segments: Result<Option<usize>, InputError>,
 }
 
 impl<C: BandColor, O: Order> fmt::Debug for Draft<'_, C, O> {
@@ -61,7 +62,7 @@ impl<'a, C: BandColor, O: Order> Draft<'a, C, O> {
             extent,
             word,
             kind: Some(kind),
-            segments: Ok(0),
+            segments: Ok(None),
         }
     }
 
@@ -71,7 +72,7 @@ impl<'a, C: BandColor, O: Order> Draft<'a, C, O> {
             extent: Extent::EMPTY,
             word: not_used::<C>(),
             kind: None,
-            segments: Ok(0),
+            segments: Ok(None),
         }
     }
 }

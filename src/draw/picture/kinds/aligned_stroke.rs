@@ -35,7 +35,7 @@ pub(super) fn prepare<'a, C: ChannelColor, O: Order>(
     payload: &mut Payload<'_>,
     layers: &dyn Fn(&mut AlignedSink<'_, C>) -> Result<(), InputError>,
 ) -> Draft<'a, C, O> {
-    let (mut segments, mut bounds) = (0, Window::EMPTY);
+    let (mut segments, mut bounds) = (None, Window::EMPTY);
     let written = layers(&mut |layer| {
         payload.push_all(&[0; 2]);
         payload.push_pixel(layer.color.to_word());
@@ -46,7 +46,7 @@ pub(super) fn prepare<'a, C: ChannelColor, O: Order>(
         let outline = StoredOutline::new(payload.written_from(index + 1));
         let first_of_stroke = outline.index_behind(layer.edges_of_shape);
         payload.set(index, first_of_stroke);
-        segments = stored.segments.max(segments);
+        segments = stored.segments_needed().max(segments);
         bounds = bounds.around(&stored.bounds);
         Ok(())
     });

@@ -58,7 +58,7 @@ fn prepare<'a, C: ChannelColor, O: Order>(
     payload: &mut Payload<'_>,
     layers: &dyn Fn(&mut LayerSink<'_, C>) -> Result<(), InputError>,
 ) -> Draft<'a, C, O> {
-    let (mut count, mut segments, mut bounds) = (0, 0, Window::EMPTY);
+    let (mut count, mut segments, mut bounds) = (0, None, Window::EMPTY);
     let written = layers(&mut |layer| {
         if count > 0 {
             payload.push_all(&[0; CURSOR_WORDS]);
@@ -66,14 +66,14 @@ fn prepare<'a, C: ChannelColor, O: Order>(
         count += 1;
         payload.push_pixel(layer.color.to_word());
         let stored = outline::store(layer.outline, layer.fill_rule, payload)?;
-        segments = stored.segments.max(segments);
+        segments = stored.segments_needed().max(segments);
         bounds = bounds.around(&stored.bounds);
         Ok(())
     });
     let kind: &dyn PictureItem<C, O> = match (&written, count) {
         (Err(_), _) | (_, 0) => {
             return Draft {
-                segments: written.map(|()| 0),
+                segments: written.map(|()| None),
                 ..Draft::nothing()
             };
         }

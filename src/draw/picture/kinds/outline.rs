@@ -107,7 +107,7 @@ impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for ColoredOutline<'_, C> 
         payload.push_pixel(self.color.to_word());
         match outline::store(self.outline, self.fill_rule, payload) {
             Ok(stored) => Draft {
-                segments: Ok(stored.segments),
+                segments: Ok(stored.segments_needed()),
                 ..Draft::new(Extent::of(&stored.bounds), not_used::<C>(), &Outline)
             },
             Err(error) => Draft {

@@ -45,22 +45,22 @@ impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for Text<'_, OutlineTextSt
     }
 }
 
-/// The most segments that a glyph of a text has in a row, of those whose contours cross: the others need cells alone, for which
-/// one segment stands. Cost: each outline whose contours cross is flattened.
-fn most_segments<C: ChannelColor>(text: &Text<'_, OutlineTextStyle<C>>) -> Result<usize, InputError> {
+/// The most segments that a glyph of a text has in a row, of those whose contours cross: the others need cells alone. `None` where
+/// there are no glyphs. Cost: each outline whose contours cross is flattened.
+fn most_segments<C: ChannelColor>(text: &Text<'_, OutlineTextStyle<C>>) -> Result<Option<usize>, InputError> {
     let font = text.character_style.font();
-    let mut most = 0;
+    let mut most = None;
     for line in Lines::new(text).iter() {
         for glyph in font.placed(&line) {
             let outline = glyph.outline()?;
             let segments = if outline.is_simple() {
-                1
+                0
             } else {
                 // In the domain, as the outline is.
                 let (top, bottom) = glyph.rows();
                 segments_of(&outline, top as i32..bottom as i32)
             };
-            most = segments.max(most);
+            most = most.max(Some(segments));
         }
     }
     Ok(most)
