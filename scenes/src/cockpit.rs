@@ -367,7 +367,7 @@ mod tests {
 
         let mut memory = PictureMemory::<Rgb565, ITEMS, WORDS, 320, { WIDTH + 1 }, { SEGMENTS - 1 }, CHAINS>::new();
         let needed = (0..FRAMES).filter_map(|frame| match add_items(&mut memory.picture(Cockpit::AREA), frame) {
-            Err(InputError::TooSmall(TooSmall::ActiveEdges(needed))) => Some(needed),
+            Err(InputError::TooSmall(TooSmall::Segments(needed))) => Some(needed),
             _ => None,
         });
         assert_eq!(needed.max(), Some(SEGMENTS));

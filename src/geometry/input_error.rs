@@ -48,6 +48,9 @@ pub enum InputError {
     /// Memory is too small, as a table with fewer entries than a shape has edges or vertices. Storage that was lent can be
     /// prepared again with less.
     TooSmall(TooSmall),
+    /// An id is not that of an item of the [`Picture`](crate::draw::Picture), or not that of a group where one is asked for: it was
+    /// returned by another picture, or by this one before it was cleared or the group was removed.
+    NoSuchItem,
     /// A [`ConvexWindow`](crate::geometry::ConvexWindow) has fewer than three corners.
     TooFewCorners,
     /// This corner of a convex window repeats the one before it, or lies on a straight line with its neighbours: leave it out.
@@ -164,6 +167,8 @@ impl Display for InputError {
                 )
             }
             Self::TooSmall(error) => error.fmt(formatter),
+            Self::NoSuchItem => formatter
+                .write_str("the id names no such item or group: take the one that this picture returned for it"),
             Self::TooFewCorners => formatter.write_str("a convex window has at least three corners"),
             Self::StraightCorner { corner } => {
                 write!(formatter, "corner {corner} is repeated or straight: leave it out")

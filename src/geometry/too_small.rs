@@ -32,6 +32,9 @@ pub enum TooSmall {
     Edges(usize),
     /// Edges of a polygon that cross one row.
     ActiveEdges(usize),
+    /// Edges that one antialiased item of a picture has in one row: the `SEGMENTS` of an
+    /// [`AntialiasingMemory`](crate::draw::AntialiasingMemory).
+    Segments(usize),
     /// Crossings of a row with edges of a polygon.
     Crossings(usize),
     /// Transformed vertices of a scene.
@@ -74,6 +77,13 @@ pub enum TooSmall {
     Sums(usize),
     /// Cells of the row memory of antialiasing: a slice.
     Cells(usize),
+    /// Cells of the [`AntialiasingMemory`](crate::draw::AntialiasingMemory) of a picture, which has none where none is lent
+    /// ([`Picture::with_antialiasing`](crate::draw::Picture::with_antialiasing)). So many draw a column at a time; one more than the
+    /// columns of a band draw all of them at once.
+    PictureCells(usize),
+    /// Words for the rows behind groups of a picture: a slice
+    /// ([`Picture::with_group_rows`](crate::draw::Picture::with_group_rows)).
+    GroupWords(usize),
     /// Colours of a model, one for each of its faces: a slice.
     Colors(usize),
     /// Normals of a model, one for each of its vertices or faces: a slice.
@@ -88,6 +98,7 @@ impl TooSmall {
         match *self {
             Self::Edges(needed)
             | Self::ActiveEdges(needed)
+            | Self::Segments(needed)
             | Self::Crossings(needed)
             | Self::Vertices(needed)
             | Self::Faces(needed)
@@ -109,6 +120,8 @@ impl TooSmall {
             | Self::PageBytes(needed)
             | Self::Sums(needed)
             | Self::Cells(needed)
+            | Self::PictureCells(needed)
+            | Self::GroupWords(needed)
             | Self::Colors(needed)
             | Self::Normals(needed)
             | Self::TextureCoordinates(needed) => needed,
@@ -125,6 +138,7 @@ impl TooSmall {
                 | Self::PageBytes(_)
                 | Self::Sums(_)
                 | Self::Cells(_)
+                | Self::GroupWords(_)
                 | Self::Colors(_)
                 | Self::Normals(_)
                 | Self::TextureCoordinates(_)
@@ -136,6 +150,7 @@ impl TooSmall {
         match self {
             Self::Edges(_) => "edges",
             Self::ActiveEdges(_) => "active edges",
+            Self::Segments(_) => "segments of antialiased outlines",
             Self::Crossings(_) => "crossings",
             Self::Vertices(_) => "vertices",
             Self::Faces(_) => "faces",
@@ -157,6 +172,8 @@ impl TooSmall {
             Self::PageBytes(_) => "page bytes",
             Self::Sums(_) => "sums",
             Self::Cells(_) => "row memory cells",
+            Self::PictureCells(_) => "cells for antialiasing",
+            Self::GroupWords(_) => "words for rows behind groups",
             Self::Colors(_) => "colours",
             Self::Normals(_) => "normals",
             Self::TextureCoordinates(_) => "texture coordinates",
@@ -167,10 +184,13 @@ impl TooSmall {
 impl Display for TooSmall {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (entries, needed) = (self.entries(), self.needed());
-        let (memory, remedy) = if self.is_slice() {
-            ("slice", "pass a longer one")
-        } else {
-            ("table", "raise its capacity")
+        let memory = if self.is_slice() { "slice" } else { "table" };
+        let remedy = match self {
+            Self::Segments(_) => "raise SEGMENTS of the AntialiasingMemory",
+            Self::PictureCells(_) => "lend the picture an AntialiasingMemory by with_antialiasing",
+            Self::GroupWords(_) => "lend the picture a longer one by with_group_rows",
+            _ if self.is_slice() => "pass a longer one",
+            _ => "raise its capacity",
         };
         write!(
             formatter,

@@ -385,7 +385,7 @@ proptest! {
                     prop_assert!(words > needed.0);
                     needed.0 = words;
                 }
-                Err(InputError::TooSmall(TooSmall::ActiveEdges(segments))) => {
+                Err(InputError::TooSmall(TooSmall::Segments(segments))) => {
                     prop_assert!(needed.1 == 0 && segments > 0 && segments <= 512);
                     needed.1 = segments;
                 }
@@ -507,6 +507,6 @@ fn without_memory_for_antialiasing_an_outline_is_an_error() {
     let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 30]);
     let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []);
     let added = picture.add_outline(&line, FillRule::NonZero, Rgb565::RED);
-    let expected = TooSmall::Cells(2);
+    let expected = TooSmall::PictureCells(2);
     assert_eq!(added, Err(InputError::TooSmall(expected)));
 }

@@ -265,8 +265,8 @@ proptest! {
         ] {
             match shown {
                 Ok(shown) => prop_assert_eq!(shown.iter().zip(&expected).position(|(one, other)| one != other), None),
-                Err(InputError::TooSmall(TooSmall::Cells(needed))) => prop_assert!(cells < needed && needed == 2),
-                Err(InputError::TooSmall(TooSmall::ActiveEdges(_))) => prop_assert!(cells == 2),
+                Err(InputError::TooSmall(TooSmall::PictureCells(needed))) => prop_assert!(cells < needed && needed == 2),
+                Err(InputError::TooSmall(TooSmall::Segments(_))) => prop_assert!(cells == 2),
                 Err(error) => prop_assert!(false, "{}", error),
             }
         }
@@ -337,6 +337,6 @@ fn the_capacities_that_a_picture_needs_are_told() {
     let (_, edges, pixels, error) = drawn_with::<16, 0>();
     assert!(edges > 0, "{edges}");
     assert_eq!((&pixels, error), (&expected, None));
-    let too_small = TooSmall::ActiveEdges(16);
+    let too_small = TooSmall::Segments(16);
     assert_eq!(drawn_with::<15, 30>().3, Some(InputError::TooSmall(too_small)));
 }

@@ -12,15 +12,18 @@ use proptest::prelude::*;
 use zrow::{
     band::Band,
     draw::{
-        AntialiasedPolygon, AntialiasingMemory, DrawAntialiased, DrawOn, FillRule, Group, ItemId, Picture, PictureSlot,
-        Polygon, PrimitiveStyle, SubEllipse, SubOutline,
+        AntialiasedPolygon, AntialiasingMemory, DrawAntialiased, DrawOn, DrawableItem, FillRule, Group, ItemId,
+        Picture, PictureSlot, Polygon, PrimitiveStyle, SubEllipse, SubOutline,
     },
     fixed::types::U24F8,
     geometry::{InputError, Sub8, SubPoint, TooSmall, Window},
     shade::ChannelColor,
 };
 
-use crate::common::{cases, config};
+use crate::{
+    common::{cases, config},
+    picture_display::Display,
+};
 
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(40, 32));
 const WIDTH: usize = 40;
@@ -373,7 +376,7 @@ proptest! {
 /// One row for the group, and one more for the group that lies in it; an opaque group needs none.
 #[test]
 fn too_few_rows_are_an_error_that_says_how_many() {
-    let too_small = |needed| Err(InputError::TooSmall(TooSmall::Words(needed)));
+    let too_small = |needed| Err(InputError::TooSmall(TooSmall::GroupWords(needed)));
     let (mut slots, mut pool, mut kept) = ([PictureSlot::EMPTY; 8], [0; 40], [0; WIDTH]);
     let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_group_rows(&mut kept);
     let outer = picture.begin_group(Group::new()).unwrap();
@@ -411,7 +414,74 @@ fn groups_without_one_of_their_ends() {
     assert_eq!(pixels(&mut picture), 30);
     picture.remove(group);
     assert_eq!(pixels(&mut picture), WIDTH * 32);
-    assert!(picture.replace_group(group, Group::new()).is_err());
+    assert_eq!(picture.replace_group(group, Group::new()), Err(InputError::NoSuchItem));
+}
+
+/// What changes where a group begins or ends no more is drawn anew: all of its items, or all behind it.
+#[test]
+fn ends_that_are_taken_out_are_damage() {
+    let square = |left, color| {
+        Rectangle::new(Point::new(left, 2), Size::new(10, 10)).into_styled(PrimitiveStyle::with_fill(color))
+    };
+    let clip = Rectangle::new(Point::new(4, 4), Size::new(12, 3));
+    let style = PrimitiveStyle::with_fill(Rgb565::WHITE);
+    for change in 0..4 {
+        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 4], [0; 40], [0; 32]);
+        let mut damage = [Window::EMPTY; 4];
+        let mut picture =
+            Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut buckets).with_damage(&mut damage, (1, 1));
+        let begin = picture.begin_group(Group::new().clip(clip)).unwrap();
+        picture.add(&square(2, Rgb565::RED)).unwrap();
+        let end = picture.end_group().unwrap();
+        picture.add(&square(14, Rgb565::BLUE)).unwrap();
+        let mut display = Display::new(AREA);
+        display.draw_damage(&mut picture, &[1]);
+        match change {
+            0 => picture.remove(begin),
+            1 => picture.remove(end),
+            2 => picture
+                .replace(
+                    begin,
+                    &Rectangle::new(Point::zero(), Size::new_equal(1)).into_styled(style),
+                )
+                .unwrap(),
+            _ => picture
+                .replace(
+                    end,
+                    &Rectangle::new(Point::zero(), Size::new_equal(1)).into_styled(style),
+                )
+                .unwrap(),
+        }
+        display.draw_damage(&mut picture, &[1]);
+        let mut words = [0; WIDTH * 32];
+        picture.draw(&mut Band::new(AREA, &mut words).unwrap());
+        let different = display.words.iter().zip(words).position(|(shown, word)| *shown != word);
+        assert_eq!(different, None, "change {change}");
+    }
+}
+
+/// Ids of another picture, of one that was cleared, and of items that are no groups.
+#[test]
+fn wrong_ids_are_no_lack_of_memory() {
+    let (mut slots, mut pool) = ([PictureSlot::EMPTY; 20], [0; 40]);
+    let mut other = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []);
+    let frame = AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::GREEN));
+    let ids = [(); 9].map(|()| other.add(&frame).unwrap());
+    let (mut slots, mut pool) = ([PictureSlot::EMPTY; 20], [0; 40]);
+    let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []);
+    let group = picture.begin_group(Group::new()).unwrap();
+    let item = picture.add(&frame).unwrap();
+    let error = Err(InputError::NoSuchItem);
+    let drawable = DrawableItem(frame);
+    assert_eq!(picture.replace_group(item, Group::new()), error);
+    assert_eq!(picture.replace(ids[8], &frame), error);
+    assert_eq!(picture.replace_item(ids[8], &drawable), error);
+    assert_eq!(picture.translate(ids[8], Point::new(1, 1)), error);
+    assert_eq!(picture.replace_group(ids[8], Group::new()), error);
+    picture.remove(ids[8]);
+    assert_eq!((picture.slots_used(), picture.words_used()), (2, 5));
+    picture.clear();
+    assert_eq!(picture.translate(group, Point::new(1, 1)), error);
 }
 
 /// From the band to the picture's area there are more columns than 31 bits tell.

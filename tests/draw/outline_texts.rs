@@ -354,7 +354,7 @@ fn what_does_not_fit_says_what_would() {
     let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 16]);
     let mut memory = AntialiasingMemory::<121, { CROSSING_SEGMENTS - 1 }, 0>::new();
     let mut picture = Picture::<Rgb565>::new(window, &mut slots, &mut pool, &mut []).with_antialiasing(&mut memory);
-    let error = InputError::TooSmall(TooSmall::ActiveEdges(CROSSING_SEGMENTS));
+    let error = InputError::TooSmall(TooSmall::Segments(CROSSING_SEGMENTS));
     assert_eq!(picture.add(&text), Err(error));
     let far = Text::new("Vo", Point::new(8_170, 30), style(&FONT, 24 * 256, 1));
     assert_eq!(
@@ -386,7 +386,7 @@ fn simple_glyphs_need_cells_alone() {
     assert!(expected.iter().any(|word| *word > 0));
     assert_eq!(shown::<61, 0>().as_ref(), Ok(&expected));
     assert_eq!(shown::<2, 0>().as_ref(), Ok(&expected));
-    assert_eq!(shown::<1, 64>(), Err(InputError::TooSmall(TooSmall::Cells(2))));
+    assert_eq!(shown::<1, 64>(), Err(InputError::TooSmall(TooSmall::PictureCells(2))));
 }
 
 /// A text as one outline, in bands of any height from the last one up and from the first one down, and as the clip path of a

@@ -19,7 +19,7 @@ use zrow::{
         AntialiasingMemory, FillRule, Group, ItemId, MaskTextStyle, Path, PathCommand, Picture, PictureSlot, Polygon,
         PrimitiveStyle, StrokeAlignment, SubArc, SubEllipse, ThinCircle,
     },
-    geometry::{InputError, Sub8, SubPoint, TooSmall, Window},
+    geometry::{InputError, Sub8, SubPoint, Window},
 };
 use zrow_scenes::fonts::DEJAVU_SANS_16;
 
@@ -334,8 +334,7 @@ fn what_cannot_be_moved_stays() {
     assert_eq!(in_bands(&mut picture, AREA, &[1]), before);
     assert_eq!(before.len(), PIXELS);
     picture.clear();
-    let gone = TooSmall::Items(2);
-    assert_eq!(picture.translate(near, by(1, 1)), Err(InputError::TooSmall(gone)));
+    assert_eq!(picture.translate(near, by(1, 1)), Err(InputError::NoSuchItem));
 }
 
 /// An item without pixels has none wherever it is: it is moved by any numbers, which its words need not hold.

@@ -128,9 +128,9 @@ impl RowMemory<'_> {
             self.most_segments = segments;
         }
         if self.cells.len() < LEAST_CELLS {
-            Err(TooSmall::Cells(LEAST_CELLS))
+            Err(TooSmall::PictureCells(LEAST_CELLS))
         } else if self.segments.len() < segments {
-            Err(TooSmall::ActiveEdges(segments))
+            Err(TooSmall::Segments(segments))
         } else {
             Ok(())
         }

@@ -147,6 +147,10 @@ impl Default for Group {
 /// Words of a [`Group`].
 const GROUP_WORDS: u16 = 5;
 
+/// A group without a clip path. [`Group`] itself is no item: one that [`Picture::add`] took would be drawn without rows being checked
+/// for it.
+struct PlainGroup(Group);
+
 /// A group and its clip path.
 struct PathGroup<'o> {
     group: Group,
@@ -164,9 +168,10 @@ struct BeginInPath;
 /// The item behind those of a group.
 struct End;
 
-impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for Group {
+impl<'a, C: ChannelColor, O: Order> Prepare<'a, C, O> for PlainGroup {
     fn prepare(&self, payload: &mut Payload<'_>) -> Draft<'a, C, O> {
-        self.write(payload);
+        let Self(group) = self;
+        group.write(payload);
         Draft::new(Extent::of(&WHOLE), not_used::<C>(), &Begin)
     }
 }
@@ -232,15 +237,15 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
         self
     }
 
-    /// Begins a group: all items that are added from now on to [`end_group`](Self::end_group) are clipped and blended
-    /// together. Takes a slot and 5 words of the pool.
+    /// Begins a group: all items that are added from now on to [`end_group`](Self::end_group), or to the last item of the picture,
+    /// are clipped and blended together. Takes a slot and 5 words of the pool.
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots, the words of the pool, or the words for rows
-    /// ([`with_group_rows`](Self::with_group_rows), [`TooSmall::Words`]) that are needed.
+    /// ([`with_group_rows`](Self::with_group_rows), [`TooSmall::GroupWords`]) that are needed.
     pub fn begin_group(&mut self, group: Group) -> Result<ItemId, InputError> {
         self.check_rows(group, self.slots_used())?;
-        let id = self.add_unrecorded(&group)?;
+        let id = self.add_unrecorded(&PlainGroup(group))?;
         self.draw_groups = self.draw_groups.or(Some(draw::<C, O, false>));
         Ok(id)
     }
@@ -286,7 +291,7 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
         Ok(id)
     }
 
-    /// Ends the group that was begun last. Takes a slot.
+    /// Ends the group that was begun last and has not ended. Takes a slot, also where there is no such group: then it does nothing.
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with the slots that are needed.
@@ -297,8 +302,8 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     /// Clips and blends the items of a group in another way. A clip path stays.
     ///
     /// # Errors
-    /// [`InputError::TooSmall`] with the words for rows ([`with_group_rows`](Self::with_group_rows), [`TooSmall::Words`]) that are
-    /// needed; [`TooSmall::Items`] for an id that names no group. Then every group stays as it was.
+    /// [`InputError::TooSmall`] with the words for rows ([`with_group_rows`](Self::with_group_rows), [`TooSmall::GroupWords`]) that are
+    /// needed; [`InputError::NoSuchItem`] for an id that names no group. Then every group stays as it was.
     pub fn replace_group(&mut self, id: ItemId, group: Group) -> Result<(), InputError> {
         let index = self.index_of_group(id)?;
         self.check_rows(group, index)?;
@@ -312,8 +317,8 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
     ///
     /// # Errors
     /// [`InputError::TooSmall`] with what is needed: words of the pool, words for rows
-    /// ([`with_group_rows`](Self::with_group_rows), [`TooSmall::Words`]), or memory for antialiasing; [`TooSmall::Items`] for an id
-    /// that names no group. [`InputError::OutOfDomain`] where the path leaves the domain of antialiased outlines. Then every group
+    /// ([`with_group_rows`](Self::with_group_rows), [`TooSmall::GroupWords`]), or memory for antialiasing; [`InputError::NoSuchItem`] for
+    /// an id that names no group. [`InputError::OutOfDomain`] where the path leaves the domain of antialiased outlines. Then every group
     /// stays as it was.
     pub fn replace_path_group(
         &mut self,
@@ -373,7 +378,7 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
         if needed <= self.group_rows.len() {
             Ok(())
         } else {
-            Err(TooSmall::Words(needed))
+            Err(TooSmall::GroupWords(needed))
         }
     }
 }

@@ -252,15 +252,15 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         Ok(id)
     }
 
-    /// Puts a shape or a text in the place of an item, wherever in the painter's order that is.
+    /// Puts a shape or a text in the place of an item, wherever in the painter's order that is. An item that begins or ends a group
+    /// is [removed](Self::remove) by that.
     ///
     /// Where the pool has room for the words of both, they are compared: an outline that has some of the edges of the one
     /// before, such as an arc that grows, changes only the pixels between the other edges, and what is the same as before
     /// changes nothing. Else all pixels of both have changed, and the shape is prepared twice.
     ///
     /// # Errors
-    /// [`InputError`] as for [`add`](Self::add); the item then stays. An id of another picture may name no item here: then
-    /// the slots are too few.
+    /// As [`add`](Self::add); [`InputError::NoSuchItem`] for an id that names no item here. The item then stays.
     pub fn replace(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), InputError> {
         self.check_id(id)?;
         if let Ok((at, words, draft)) = self.pool.append(|payload| item.prepare(payload)) {
@@ -285,6 +285,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// # Errors
     /// As [`replace`](Self::replace).
     pub fn replace_item<T: PictureItem<C, O>>(&mut self, id: ItemId, item: &'a T) -> Result<(), InputError> {
+        self.check_id(id)?;
         let draft = by_reference(item);
         self.change(id, 0, draft.extent, |_, _, _| draft)?;
         Ok(())
@@ -292,9 +293,15 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Takes an item's pixels out of the picture and its words out of the pool. Its position in the painter's order stays:
     /// [`replace`](Self::replace) puts something there again.
+    ///
+    /// Of a group, the item that [`begin_group`](Self::begin_group) added may be taken out: its items stay, and are neither clipped
+    /// nor blended any more. Without the one that [`end_group`](Self::end_group) added, the group goes on to the end of the group
+    /// around it, or of the picture. An id that names no item here does nothing.
     pub fn remove(&mut self, id: ItemId) {
-        // An id of another picture names nothing here.
-        let _ = self.change(id, 0, Extent::EMPTY, |_, _, _| Draft::nothing());
+        if self.check_id(id).is_ok() {
+            // No error: it needs no words.
+            let _ = self.change(id, 0, Extent::EMPTY, |_, _, _| Draft::nothing());
+        }
     }
 
     /// Takes all items out. Ids of the items that were in it are void.
@@ -363,13 +370,13 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// The index of an item that begins a group.
-    pub(super) fn index_of_group(&self, id: ItemId) -> Result<usize, TooSmall> {
+    pub(super) fn index_of_group(&self, id: ItemId) -> Result<usize, InputError> {
         self.check_id(id)?;
         let ItemId(index) = id;
         let index = usize::from(index);
         match self.role_of(index) {
             Role::GroupBegin => Ok(index),
-            _ => Err(too_few_slots(self.len + 1)),
+            _ => Err(InputError::NoSuchItem),
         }
     }
 
@@ -417,11 +424,11 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     }
 
     /// Whether an id is that of an item.
-    pub(super) fn check_id(&self, ItemId(index): ItemId) -> Result<(), TooSmall> {
+    pub(super) fn check_id(&self, ItemId(index): ItemId) -> Result<(), InputError> {
         if usize::from(index) < self.len {
             Ok(())
         } else {
-            Err(too_few_slots(usize::from(index) + 1))
+            Err(InputError::NoSuchItem)
         }
     }
 
@@ -476,7 +483,6 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     #[inline(never)]
     fn make_room(&mut self, id: ItemId, needed: usize, rows: &Range<i32>) -> Result<(), TooSmall> {
         let ItemId(index) = id;
-        self.check_id(id)?;
         let (at, words) = self.words_of(id);
         let had = usize::from(words);
         if needed == had {

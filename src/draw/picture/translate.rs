@@ -36,7 +36,7 @@ impl<C: BandColor, O: Order> Picture<'_, '_, C, O> {
     /// # Errors
     /// [`InputError::OutOfDomain`] where an item has or would have pixels that a picture cannot tell (16 bits), or that lie
     /// outside of the domain of antialiased outlines, and for strokes that may reach so far around vertices beyond 16,384 pixels;
-    /// [`InputError::TooSmall`] for an id that names no item here. Then nothing is moved.
+    /// [`InputError::NoSuchItem`] for an id that names no item here. Then nothing is moved.
     pub fn translate(&mut self, id: ItemId, by: Point) -> Result<(), InputError> {
         self.check_id(id)?;
         let ItemId(first) = id;
