@@ -285,3 +285,20 @@ fn the_far_plane_is_twice_as_far_away_as_the_near_one() {
     assert!(ClipMatrix::new(&camera, &Pose::IDENTITY, I16F16::from_num(31)).is_err());
     assert!(ClipMatrix::new(&camera, &Pose::IDENTITY, I16F16::MIN).is_err());
 }
+
+/// Far behind a near plane that is close to the eye, where little in the matrix tells a little more depth from the far plane.
+#[test]
+fn the_far_plane_is_where_it_was_set() {
+    for near in [8 << 16, (8 << 16) + 1, 600_001] {
+        for far in [1_000 << 16, 30_000 << 16, 2_000_000_011, i32::MAX - 1_000] {
+            let camera = camera((320, 240), I16F16::from_bits(near));
+            let is_inside = |z| {
+                let model = pose([0; 3], [0, 0, z]);
+                let matrix = ClipMatrix::new(&camera, &model, I16F16::from_bits(far)).unwrap();
+                matrix.apply([0; 3]).is_inside()
+            };
+            // 1/8,192 unit.
+            assert!(is_inside(far - 8) && !is_inside(far + 8), "{near} {far}");
+        }
+    }
+}
