@@ -53,7 +53,7 @@ impl<'a, S: SubPixel> ConvexWindow<'a, S> {
                 return Err(InputError::ConcaveCorner { corner: number });
             }
             reversals += u32::from(arriving.goes_down() != leaving.goes_down());
-            is_upright &= leaving.dx == 0 || leaving.dy == 0;
+            is_upright &= leaving.is_upright();
             before = corner;
         }
         // Once around, a direction goes down for one half of the turn and up for the other.
@@ -144,6 +144,11 @@ impl SideLine {
         let (x, y) = (i64::from(point.x_units()), i64::from(point.y_units()));
         let (from_start_x, from_start_y) = (x - i64::from(self.x), y - i64::from(self.y));
         i64::from(self.dx) * from_start_y - i64::from(self.dy) * from_start_x
+    }
+
+    /// Whether the line is horizontal or vertical.
+    pub(crate) const fn is_upright(&self) -> bool {
+        self.dx == 0 || self.dy == 0
     }
 
     /// Whether y grows along the line, or stays while x grows.

@@ -226,6 +226,23 @@ proptest! {
         prop_assert!(check_segment::<Sub8>(from, to, &corners));
     }
 
+    /// An upright window around another one rounds as that with a corner more does, which no end is near: away from the side
+    /// that cuts, which is a side of the inner window.
+    #[test]
+    fn an_upright_window_rounds_away_from_the_side_that_cuts(
+        from in (0..=8i32, 0..=8i32), to in (0..=8i32, 0..=8i32),
+        window in window_within(0, 8),
+    ) {
+        let clip = |outer: &[Position]| {
+            let part = clip_exactly::<Sub4>(from, to, &[window.clone(), outer.to_vec()])?;
+            let (start, end) = part.ends_within(&ConvexWindow::new(&sub_points(outer)).unwrap());
+            Some((position(start), position(end)))
+        };
+        let upright = [(0, 0), (8, 0), (8, 8), (0, 8)];
+        let with_a_corner_more = [(0, 0), (8, 0), (8, 8), (4, 9), (0, 8)];
+        prop_assert_eq!(clip(&upright), clip(&with_a_corner_more));
+    }
+
     /// At x = 0, at y = 0 and at the diagonal. Sides that are upright or diagonal may leave ties that a mirror turns.
     #[test]
     fn mirrored_segments_are_mirrored(

@@ -105,16 +105,14 @@ impl<S: SubPixel> ParametricSegment<S> {
     /// The two ends of the segment, rounded inwards: each that is cut is the nearest of the units around the exact point
     /// that lies in the window, less than a unit off in x and in y. The window is one that it was clipped to.
     ///
-    /// Of equally near units it is that furthest from the side that cuts; where that does not decide, as on an upright side,
-    /// the one with the larger x, then y. Where the segment between them is clipped and rounded again, nothing changes.
+    /// Of equally near units it is that furthest from the side that cuts, or from the first one that it was clipped to where
+    /// several cut in one point; where that does not decide, as on an upright side, the one with the larger x, then y. Where
+    /// the segment between them is clipped and rounded again, nothing changes.
     ///
     /// The exception: where none of the units around the exact point lies in the window, which takes another side within one
     /// and a half units of it, as at a sharp corner or in a sliver. The end is then the nearest of them beyond the side that
     /// cuts, so that what crosses a sliver still does; a segment between such ends may be cut again, and is seldom lost.
     pub fn ends_within(&self, window: &ConvexWindow<'_, S>) -> (SubPoint<S>, SubPoint<S>) {
-        if window.is_upright() {
-            return self.ends();
-        }
         // Every cut lies in a window, and so in the domain.
         let end = |cut: Option<Cut>, end| cut.and_then(|cut| self.inner_end(&cut, window)).unwrap_or(end);
         (end(self.entry, self.from), end(self.exit, self.to))
@@ -123,6 +121,10 @@ impl<S: SubPixel> ParametricSegment<S> {
     /// What stands for the end that a side cuts. Not inlined: most segments have none.
     #[inline(never)]
     fn inner_end(&self, cut: &Cut, window: &ConvexWindow<'_, S>) -> Option<SubPoint<S>> {
+        if window.is_upright() && cut.side.is_upright() {
+            // The nearest unit lies inside.
+            return cut.parameter.point(self.from, self.to);
+        }
         cut.parameter.cell(self.from, self.to)?.corner_inside(window, cut.side)
     }
 }
