@@ -10,7 +10,7 @@ use zrow::{
 use crate::common::{cases, config};
 use crate::exact_boolean::{Contour, Position, Rational, Shape, expected};
 use crate::polygon_booleans::{
-    OPERATIONS, Outline, algorithms, any_shape, check, check_all, check_scaled, clip_by, clipped,
+    OPERATIONS, Outline, algorithms, any_shape, check, check_all, check_scaled, clip_by, clipped, doubled_area,
 };
 
 fn shape(contours: &[&[Position]]) -> Shape {
@@ -300,6 +300,25 @@ fn published_failures() {
             assert!((area - exact).abs() < 1e-9, "{} {operation:?}: {exact}", case.name);
         }
     }
+}
+
+/// Of a part and of a hole thinner than a unit, rounding leaves a contour that runs the other way round: what it is stays known.
+#[test]
+fn rounding_turns_a_sliver_around() {
+    let signs = |subject: &[Position], clip: &[Position], operation| {
+        let outlines = clipped::<Sub8>(&shape(&[subject]), &shape(&[clip]), operation, 1);
+        assert_eq!(
+            clipped::<Sub4>(&shape(&[subject]), &shape(&[clip]), operation, 1),
+            outlines
+        );
+        let sign = |outline: &Outline| (outline.is_hole, doubled_area(&outline.corners).signum());
+        outlines.iter().map(sign).collect::<Vec<_>>()
+    };
+    let (subject, clip) = ([(0, 1), (1, 3), (2, 1)], [(3, 1), (0, 3), (2, 2)]);
+    assert_eq!(signs(&subject, &clip, Operation::Intersection), [(false, -1)]);
+    let (subject, clip) = ([(6, 1), (0, 5), (5, 0), (2, 5)], [(4, 2), (2, 1), (6, 2), (1, 3)]);
+    let of_union = signs(&subject, &clip, Operation::Union);
+    assert!(of_union.contains(&(true, 1)), "{of_union:?}");
 }
 
 #[test]

@@ -106,7 +106,7 @@ fn sides(corners: &Contour) -> impl Iterator<Item = (Position, Position)> + '_ {
 }
 
 /// Of an outer contour above 0, of a hole below.
-fn doubled_area(corners: &Contour) -> i64 {
+pub fn doubled_area(corners: &Contour) -> i64 {
     sides(corners)
         .map(|(from, to)| i64::from(from.0) * i64::from(to.1) - i64::from(from.1) * i64::from(to.0))
         .sum()

@@ -31,7 +31,7 @@ pub struct Contour<'a, S: SubPixel> {
 
 impl<'a, S: SubPixel> Contour<'a, S> {
     /// Whether the contour bounds a hole: the result lies around the contour and not in it. Holes run counter-clockwise on the screen, where y grows
-    /// downwards, and outer contours clockwise.
+    /// downwards, and outer contours clockwise, but for those thinner than a unit, which rounding may turn around.
     pub fn is_hole(&self) -> bool {
         self.vertices.at(self.first).walk == ContourState::Hole
     }

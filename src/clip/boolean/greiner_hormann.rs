@@ -12,8 +12,8 @@
 //!
 //! The area is that of the exact result but for this rounding: each crossing is off by half a unit at most on each axis,
 //! which moves the area by less than `length / 2 + corners / 4` square units in all, `length` the sum of the sizes of
-//! all edges of the result, on both axes. A part thinner than a unit may so be left with no area, or meet itself or
-//! another one; it is handed over all the same.
+//! all edges of the result, on both axes. A part or hole thinner than a unit may so be left with no area, be turned
+//! around, or meet itself or another one; it is handed over all the same.
 //!
 //! Cost: a comparison of extents for every two edges of both polygons, four products where these meet, two 64-bit
 //! divisions for each coordinate of a crossing. Polygons whose extents are apart are told at once. RAM: 20 bytes a
