@@ -302,6 +302,18 @@ fn the_longest_segments_are_exact() {
     check_extremes::<Sub8>();
 }
 
+/// Two crossings that lie far from both ends of a segment over nearly all of the number range.
+#[test]
+fn crossings_with_the_longest_numbers_are_exact() {
+    let window = [
+        (-1_419_389, -2_011_732),
+        (1_699_841, -2_053_943),
+        (956_397, 1_790_810),
+        (-953_190, 1_650_757),
+    ];
+    check_exactly::<Sub8>((67, -1_602_788_689), (-44, i32::MAX), &[window.to_vec()]);
+}
+
 /// The exception in rounding inwards: no unit around the exact ends lies in these windows, which are about a unit wide there.
 #[test]
 fn where_no_unit_is_inside_the_nearest_one_beyond_the_side_stays() {

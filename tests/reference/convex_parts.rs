@@ -115,9 +115,12 @@ pub fn exact_part(from: Position, to: Position, sides: &[Side]) -> Option<(Exact
     // Along the larger difference, in the direction of the segment.
     let is_flat = (to.x - from.x).abs() >= (to.y - from.y).abs();
     let direction = if is_flat { to.x - from.x } else { to.y - from.y };
+    // Whole units first, and then what is left of one: the product of a numerator and a denominator may not fit.
     let order = |one: &Exact, other: &Exact| {
-        let along = |point: &Exact| if is_flat { point.x } else { point.y };
-        (direction.signum() * along(one) * other.w).cmp(&(direction.signum() * along(other) * one.w))
+        let along = |point: &Exact| direction.signum() * if is_flat { point.x } else { point.y };
+        let rest = |point: &Exact| along(point).rem_euclid(point.w);
+        let units = along(one).div_euclid(one.w).cmp(&along(other).div_euclid(other.w));
+        units.then_with(|| (rest(one) * other.w).cmp(&(rest(other) * one.w)))
     };
     candidates.retain(|&point| sides.iter().all(|side| side.value(point) >= 0));
     let first = candidates.iter().copied().min_by(order)?;
