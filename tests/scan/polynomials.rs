@@ -142,6 +142,21 @@ fn with_many_guard_bits_other_steps_are_as_good_as_exact() {
     }
 }
 
+/// The differences of the highest degree with a bound are up to 2^17 times as large as the coefficients.
+#[test]
+fn the_largest_differences_of_degree_8_are_exact_at_whole_steps() {
+    for coefficients in [[i32::MAX; 9], [i32::MIN; 9]] {
+        for guard_bits in [0, 1, 4, 7] {
+            let mut walk = PolynomialForwardDifference::rounded(&coefficients, 1, guard_bits);
+            for step in 0..=8 {
+                let exact = polynomial(&coefficients, step, 1);
+                assert_eq!(i128::from(walk.value()), exact, "step {step}, {guard_bits} guard bits");
+                walk.advance();
+            }
+        }
+    }
+}
+
 #[test]
 fn extreme_polynomials_do_not_panic() {
     for coefficient in [i32::MIN, i32::MAX] {

@@ -82,10 +82,13 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
     /// one.
     pub fn rounded(coefficients: &[i32; TERMS], steps: u32, guard_bits: u32) -> Self {
         let guard_bits = guard_bits.min(MOST_GUARD_BITS);
+        // What wraps above 128 bits is no part of the 64 that are left once these bits are shifted out.
+        let shift = MOST_SETUP_BITS.saturating_sub(guard_bits).min(64);
+        let setup_bits = guard_bits + shift;
         let steps = NonZeroU32::new(steps).unwrap_or(NonZeroU32::MIN);
         let mut power = 0u32;
         let scaled = coefficients.map(|coefficient| {
-            let whole = i128::from(coefficient) << SETUP_BITS;
+            let whole = i128::from(coefficient) << setup_bits;
             let scaled = (0..power).fold(whole, |part, _| quotient_nearest_long(part, steps));
             power = power.saturating_add(1);
             scaled
@@ -93,7 +96,6 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
         let differences = difference_table(&scaled, |sum_of, order| {
             sum_of.0.wrapping_add(sum_of.1).wrapping_mul(order as i128)
         });
-        let shift = SETUP_BITS - guard_bits;
         let half = 1i128 << (shift - 1);
         Self {
             differences: differences.map(|difference| (difference.wrapping_add(half) >> shift) as i64),
@@ -123,8 +125,9 @@ impl<const TERMS: usize> PolynomialForwardDifference<TERMS> {
 
 /// The most guard bits: the value keeps one bit and its sign.
 const MOST_GUARD_BITS: u32 = 62;
-/// Fractional bits while differences are found: enough above the guard bits that each is rounded once.
-const SETUP_BITS: u32 = 80;
+/// The most fractional bits while differences are found: a coefficient has 32 bits more. They are at least 34 above the guard
+/// bits, so that each difference is rounded once.
+const MOST_SETUP_BITS: u32 = 96;
 
 /// The differences at 0, of order 0, 1 and so on, of `c[0] + c[1] k + c[2] k^2 + ...`, by Horner's rule.
 ///
