@@ -11,7 +11,7 @@
 //! Guarantees: eightfold symmetric, 8-connected, each pixel once, and none between two that already touch. Every pixel is
 //! what a point of the circle rounds to, with an error of that point below 1/64 pixel at the largest radius. So its center is
 //! at most 0.72 pixel off the circle, where [`Conics::bresenham_circle`](crate::scan::Conics::bresenham_circle) has at most 0.5: a
-//! column's pixel is that of a point anywhere in the column, not of its middle, and about one in twelve is another one.
+//! column's pixel is that of a point anywhere in the column, not of its middle, and about one in thirteen is another one.
 //! Clipped is unclipped without the pixels outside.
 //!
 //! Domain: any center, every radius up to [`MAX_RADIUS`].

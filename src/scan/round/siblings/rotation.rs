@@ -188,6 +188,12 @@ impl Iterator for ThinPath {
                 after = self.next_other();
             }
         }
+        // What follows the last pixel of an eighth is the mirrored one before it: it may touch that across the diagonal.
+        let touches_mirrored = self.returned.is_some_and(|(x, y)| x + 1 == y);
+        if self.sweep == Sweep::Eighth && after.is_none() && pixel.0 == pixel.1 && touches_mirrored {
+            self.candidate = None;
+            return None;
+        }
         self.returned = Some(pixel);
         self.candidate = after;
         Some(pixel)
