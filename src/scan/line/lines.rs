@@ -3,9 +3,11 @@
 /// Lines one pixel wide, clipped to a window: a function for each algorithm, all with the signature
 /// `fn(start, end, window)`.
 ///
-/// They give the pixels in the window, from top to bottom, in either order of the ends the same ones; clipped is unclipped
-/// without the pixels outside. [`bresenham`](Self::bresenham) draws by default, and [`bresenham_runs`](Self::bresenham_runs)
-/// what has long runs; the others are kept to compare them.
+/// They give the pixels in the window, in either order of the ends the same ones; clipped is unclipped without the pixels
+/// outside. Pixels come from top to bottom, but for those of [`slope_intercept`](Self::slope_intercept), which come by growing x
+/// where a line is wider than high, and of [`supercover`](Self::supercover), which come from the start to the end.
+/// [`bresenham`](Self::bresenham) draws by default, and [`bresenham_runs`](Self::bresenham_runs) what has long runs; the others
+/// are kept to compare them.
 ///
 /// | algorithm | pixels | take it when |
 /// |---|---|---|
