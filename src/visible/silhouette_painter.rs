@@ -15,8 +15,9 @@
 //! surface, and the places where the painter splits a face, do not occur. So neither leaves a seam. A surface beside the centre of
 //! its pixel is composited at its depth: before the first translucent face that is nearer than its edge, or at the end.
 //!
-//! Guarantees: the picture of the depth row, which mixes when the row is drawn, where all faces are opaque and none is cut. Where
-//! a translucent face lies between a surface that ends and what is behind it, it is seen there, which the depth row leaves out.
+//! Guarantees: the picture of the depth row, which mixes when the row is drawn, where all faces are opaque, none is cut, and no more
+//! than 31 surfaces cover a pixel as a whole through which a silhouette passes. Where a translucent face lies between a surface
+//! that ends and what is behind it, it is seen there, which the depth row leaves out.
 //! Memory: what the depth row has for a column is reused. Cost: a look at each column of a span in rows with silhouettes.
 //!
 //! Source: Newell, Newell and Sancha 1972 for the order; `over` of Porter and Duff 1984, with coverage as alpha (Carpenter 1984).

@@ -62,8 +62,9 @@
 //! along each split.
 //!
 //! Guarantees: the picture of the depth row, whatever the capacity for parts; with antialiased silhouettes where faces are opaque
-//! and not cut. Cost: the sort, for each face a look at all others
-//! whose depths overlap its own (up to the square of their number), and each pixel of each face is painted, hidden or not.
+//! and not cut, and no more than 31 surfaces cover a pixel as a whole through which a silhouette passes. Cost: the sort, for each
+//! face a look at all others whose depths overlap its own (up to the square of their number), and each pixel of each face is
+//! painted, hidden or not.
 //!
 //! Source: Newell, Newell and Sancha 1972, "A solution to the hidden surface problem"; Foley and van Dam, section 15.5.1.
 
@@ -109,7 +110,8 @@ use waiting::{Condition, Waiting};
 /// as well: what is seen through a face, or beside it, was painted before it. Of a surface that ends within a pixel the colour is
 /// composited, by its coverage, over what is there: also over translucent faces and faces that are cut, which the depth row leaves
 /// out there. Otherwise pictures are those of the depth row, to the bit. Edges between faces and those of splits leave no seam.
-/// Where two silhouettes at different depths pass through one pixel, they are taken for one.
+/// Where two silhouettes at different depths pass through one pixel, they are taken for one. In a pixel that more than 31 surfaces
+/// cover as a whole, one behind the other, another one of them may be taken for the one that ends there.
 ///
 /// Silhouettes are antialiased row by row: each row of a band is sorted by itself, with a look at all faces that begin above its
 /// end. `FACES` is that of the whole band nevertheless, so that nothing is drawn where it is too small.
