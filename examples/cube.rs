@@ -6,9 +6,9 @@ use std::{array::from_fn, error::Error};
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{DisplaySink, PictureLoop},
+    fixed::types::{I16F16, U0F16},
     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},
 };
 

@@ -11,11 +11,11 @@ use embedded_graphics::{
     text::{Alignment, Text},
 };
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use fixed::types::{U0F16, U24F8};
 use zrow::{
     band::{DisplaySink, PictureLoop},
     coverage::{CoverageMethod, SignedArea},
     draw::{AntialiasedPolygon, DrawOn, FillRule, SubArc},
+    fixed::types::{U0F16, U24F8},
     geometry::{Sub8, SubPoint},
 };
 

@@ -7,9 +7,9 @@ use std::error::Error;
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use fixed::types::{I16F16, U0F16};
 use zrow::{
     band::{DisplaySink, PictureLoop},
+    fixed::types::{I16F16, U0F16},
     scene::{Camera, Memory, Model, Pose, Rotation},
     shade::{DirectionalLight, Lambert, LitTextured, LitTexturedSkin, Texels},
 };

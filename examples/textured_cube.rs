@@ -7,7 +7,7 @@ use std::{array::from_fn, error::Error, fmt::Debug};
 use embedded_graphics::mono_font::{MonoTextStyle, ascii::FONT_9X15_BOLD};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*, text::Alignment, text::Text};
 use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
-use fixed::types::{I16F16, U0F16};
+use zrow::fixed::types::{I16F16, U0F16};
 use zrow::scene::{Camera, FaceSet, Memory, Model, Pose, Rotation, Whole};
 use zrow::shade::{Texels, Textured, TexturedSkin};
 use zrow::{geometry::InputError, prelude::*};

@@ -9,6 +9,9 @@ use crate::{draw::DrawOn, shade::Paint, surface::Target};
 /// The paint lies in the picture's coordinates: it does not move with the shape. A shape with a painted fill and a stroke
 /// of one colour is two of them: the fill in the paint, and the stroke as it is.
 ///
+/// Its edges are not antialiased. In a picture a smooth shape in a gradient is a
+/// [group with a clip path](crate::draw::Picture::begin_path_group), the outline of the shape, around a painted rectangle.
+///
 /// As an item of a picture it is kept by reference ([`Picture::add_item`](crate::draw::Picture::add_item)), and drawn in
 /// each band that meets it:
 ///

@@ -12,7 +12,7 @@ use crate::geometry::TooSmall;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     geometry::InputError,
 ///     scene::{Camera, FaceSet, Memory, Model, Whole},

@@ -148,7 +148,7 @@ impl InputError {
 ///
 /// ```
 /// use embedded_graphics::prelude::*;
-/// use fixed::types::I24F8;
+/// use zrow::fixed::types::I24F8;
 /// use zrow::geometry::{InputError, Sub8, SubPoint};
 ///
 /// /// Where a chart has a reading: a column each, and 0 to 4095 on 100 rows upwards.

@@ -18,7 +18,7 @@ use crate::mesh::{BoundingBox, BoundingCylinder, BoundingSphere, bounding_cylind
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::scene::{BoundingBox, BoundingSphere, BoundingVolume, Camera, Pose};
 ///
 /// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;

@@ -9,7 +9,7 @@ use crate::mesh::neighbours::NO_NEIGHBOUR;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I2F14, I16F16};
+/// use zrow::fixed::types::{I2F14, I16F16};
 /// use zrow::scene::{Camera, Edge, EdgeKind, FaceSet, Memory, Model};
 ///
 /// /// A sheet that is folded towards the camera.
@@ -54,7 +54,7 @@ pub enum EdgeKind {
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I16F16, U0F16};
+/// use zrow::fixed::types::{I16F16, U0F16};
 /// use zrow::scene::{Camera, Edge, FaceSet, Memory, Model, Pose, Rotation};
 ///
 /// const VERTICES: [[i16; 3]; 4] = [[-512, -512, 0], [-512, 512, 0], [512, 512, 0], [512, -512, 0]];

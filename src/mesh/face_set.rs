@@ -160,7 +160,7 @@ impl<'a> FaceSet<'a> {
     /// each edge, and 48 bytes of stack a face beside the table.
     ///
     /// ```
-    /// use fixed::types::I2F14;
+    /// use zrow::fixed::types::I2F14;
     /// use zrow::scene::{Edge, EdgeKind, FaceSet};
     ///
     /// /// A square of two triangles, and one triangle that stands on its upper side.
@@ -212,7 +212,7 @@ impl<'a> FaceSet<'a> {
     /// Cost: three multiplications a vertex.
     ///
     /// ```
-    /// use fixed::types::U1F15;
+    /// use zrow::fixed::types::U1F15;
     /// use zrow::{geometry::TooSmall, scene::FaceSet};
     ///
     /// const DOWN: FaceSet = match FaceSet::new(&[[0, 0, 0], [0, 100, 0], [400, 0, -7]], &[[0, 1, 2]]) {

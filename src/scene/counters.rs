@@ -18,7 +18,7 @@ use crate::visible::Count;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     band::Band,
 ///     scene::{Camera, Counted, Counters, FaceSet, Memory, Model},

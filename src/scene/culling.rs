@@ -82,7 +82,7 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     geometry::InputError,
     ///     scene::{BoundingBox, Camera, FaceSet, Memory, Model, Pose, Rotation},

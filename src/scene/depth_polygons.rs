@@ -42,7 +42,7 @@ impl<L: Look> Prepared<'_, '_, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     scan::FillRule,

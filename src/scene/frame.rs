@@ -23,7 +23,7 @@ pub(super) const MOST_NODES: usize = FRAGMENT as usize - 1;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     geometry::InputError,
 ///     scene::{Camera, Frame, Look, Memory, Model},

@@ -10,7 +10,7 @@
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-//! use fixed::types::{I16F16, U0F16};
+//! use zrow::fixed::types::{I16F16, U0F16};
 //! use zrow::{
 //!     band::{Band, DisplaySink, PictureLoop},
 //!     scene::{Camera, FaceSet, Memory, Model, Pose, Rotation},

@@ -13,7 +13,7 @@ use crate::{geometry::TooSmall, mesh::FaceSet, shade::Shading, surface::BandColo
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::scene::{Camera, FaceSet, Memory, Model, Pose};
 ///
 /// static SAIL: FaceSet = match FaceSet::new(&[[-300, -300, 0], [0, 300, 0], [300, -300, 0]], &[[0, 1, 2]]) {

@@ -38,7 +38,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I16F16, U0F16};
+/// use zrow::fixed::types::{I16F16, U0F16};
 /// use zrow::{
 ///     band::{Band, Target},
 ///     draw::{DrawOn, PrimitiveStyle},
@@ -185,7 +185,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     scene::{Camera, FaceSet, Memory, Model},
@@ -236,7 +236,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     scene::{Camera, FaceSet, Memory, Model},
@@ -275,7 +275,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     scene::{Camera, FaceSet, Memory, Model},
@@ -324,7 +324,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::scene::{Camera, FaceSet, Memory, Model};
     ///
     /// let camera = Camera::new(Rectangle::new(Point::zero(), Size::new(64, 64)), I16F16::from_num(128))?;
@@ -355,7 +355,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     scene::{Camera, FaceSet, Memory, Model},
     ///     visible::GridRayCasting,
@@ -425,7 +425,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     coverage::{Rooks, SamplePattern},
@@ -500,7 +500,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     geometry::InputError,
@@ -595,7 +595,7 @@ impl<L: Look<Counting = Cell<Counters>>> Prepared<'_, '_, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     scene::{Camera, Counted, FaceSet, Memory, Model},

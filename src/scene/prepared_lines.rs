@@ -26,7 +26,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     scene::{Camera, FaceSet, Memory, Model},
@@ -73,7 +73,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///     prelude::*,
     ///     primitives::{Line, Rectangle},
     /// };
-    /// use fixed::types::{I2F14, I16F16};
+    /// use zrow::fixed::types::{I2F14, I16F16};
     /// use zrow::{
     ///     band::Band,
     ///     draw::{DrawOn, PrimitiveStyle},
@@ -134,7 +134,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::{I2F14, I16F16, U0F16};
+    /// use zrow::fixed::types::{I2F14, I16F16, U0F16};
     /// use zrow::{
     ///     band::Band,
     ///     scene::{Camera, Edge, FaceSet, Memory, Model, Pose, Rotation},
@@ -203,7 +203,7 @@ impl<'f, 'm, L: Look> Prepared<'f, 'm, L> {
     ///     prelude::*,
     ///     primitives::{Line, Rectangle},
     /// };
-    /// use fixed::types::{I2F14, I16F16, U0F16};
+    /// use zrow::fixed::types::{I2F14, I16F16, U0F16};
     /// use zrow::{
     ///     band::Band,
     ///     draw::{DrawOn, PrimitiveStyle},

@@ -32,7 +32,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::{Circle, Rectangle}};
-/// use fixed::types::{I16F16, U0F16};
+/// use zrow::fixed::types::{I16F16, U0F16};
 /// use zrow::{
 ///     band::Band,
 ///     draw::{Picture, PictureSlot, PrimitiveStyle},

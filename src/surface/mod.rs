@@ -68,6 +68,11 @@ use crate::geometry::Window;
 /// assert_eq!(display.get_pixel(Point::new(60, 63)), Some(Gray8::WHITE));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not one of the targets that shapes are drawn on",
+    note = "a display or any other `DrawTarget` of embedded-graphics is one as `&mut Generic(&mut display)`",
+    note = "a band is one as it is, `shape.draw_on(band)`"
+)]
 pub trait Target: BatchTarget {
     /// The pixels that the target has; whatever lies outside is not drawn.
     fn window(&self) -> Window;

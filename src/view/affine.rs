@@ -23,7 +23,7 @@ use crate::{
 /// with a negative determinant mirrors.
 ///
 /// ```
-/// use fixed::types::{I8F24, I16F16, U0F16};
+/// use zrow::fixed::types::{I8F24, I16F16, U0F16};
 /// use zrow::scene::{Affine, Pose, Rotation};
 ///
 /// // Twice as high, then turned, then moved.

@@ -24,7 +24,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I16F16, U0F16};
+/// use zrow::fixed::types::{I16F16, U0F16};
 /// use zrow::scene::{BoundingSphere, Camera, Pose};
 ///
 /// // Sixty degrees wide, from 64 to 8,000 units.
@@ -70,7 +70,7 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{
     ///     band::Band,
     ///     scene::{Camera, FaceSet, Memory, Model, Pose},
@@ -170,7 +170,7 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::scene::Camera;
     ///
     /// // The right half of a picture of 320 x 240 pixels.
@@ -247,7 +247,7 @@ impl Camera {
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::scene::Camera;
     ///
     /// let at = |x, y, z| [x, y, z].map(I16F16::from_num::<i32>);

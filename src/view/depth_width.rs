@@ -13,7 +13,7 @@ use crate::surface::PixelWord;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     band::Band,
 ///     draw::{DrawOn, PrimitiveStyle},

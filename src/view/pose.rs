@@ -7,7 +7,7 @@ use crate::{geometry::InputError, view::Rotation};
 /// A rotation, then a translation in units of the models' vertices.
 ///
 /// ```
-/// use fixed::types::{I16F16, U0F16};
+/// use zrow::fixed::types::{I16F16, U0F16};
 /// use zrow::scene::{Pose, Rotation};
 ///
 /// let at = |x, y, z| [x, y, z].map(I16F16::from_num::<i32>);

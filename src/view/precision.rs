@@ -12,7 +12,7 @@ use crate::geometry::{HAS_DIVIDER, Sub4, Sub8, SubPixel};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     geometry::SubPoint,
 ///     scene::{Camera, FaceSet, Fine, Look, Memory, Model, Prepared},

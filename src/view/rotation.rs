@@ -28,7 +28,7 @@ use crate::view::sine::{cosine, sine};
 /// A model that turns evenly has a rotation for each frame, built from the number of the frame and not from the rotation before:
 ///
 /// ```
-/// use fixed::types::{I2F30, U0F16};
+/// use zrow::fixed::types::{I2F30, U0F16};
 /// use zrow::scene::Rotation;
 ///
 /// // 1/512 of a turn a frame about the axis of a globe, which is tilted by a sixteenth.

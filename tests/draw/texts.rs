@@ -227,3 +227,20 @@ proptest! {
         });
     }
 }
+
+/// A text that is empty as yet takes no words, and what is put in its place is drawn.
+#[test]
+fn an_empty_text_takes_no_words() {
+    let area = Rectangle::new(Point::zero(), Size::new(64, 32));
+    let style = MonoTextStyle::new(&mono_font::ascii::FONT_6X10, Rgb565::WHITE);
+    let (mut slots, mut pool) = ([PictureSlot::EMPTY; 1], [0; 6]);
+    let mut picture = Picture::<Rgb565>::new(area, &mut slots, &mut pool, &mut []);
+    let text = picture.add(&Text::new("", Point::new(3, 9), style)).unwrap();
+    assert_eq!(picture.words_used(), 0);
+    picture.translate(text, Point::new(i32::MAX, 0)).unwrap();
+    picture
+        .replace(text, &Text::new("42 km", Point::new(3, 9), style))
+        .unwrap();
+    assert_eq!(picture.words_used(), 6);
+    assert!(in_bands(&mut picture, area, &[1]).contains(&Rgb565::WHITE.into_storage()));
+}

@@ -33,8 +33,8 @@ const PAGE_ROWS: i32 = 8;
 ///
 /// Bands of one row are enough: with 128 columns the row takes 128 bytes and the page 128 more, where a band of eight rows
 /// takes 1,024. The sink hands out each [`Page`] as soon as its last row has come, and the last page of the area
-/// also where the area ends within it; what lies outside of the area is off there. A picture that is dithered goes through
-/// [`Dithered`](crate::band::Dithered) around this sink. Where the driver is `async`,
+/// also where the area ends within it; what lies outside of the area is off there. So a picture whose damage is sent has rectangles of
+/// whole pages: `Picture::with_damage(&mut areas, (1, 8))`. A picture that is dithered goes through [`Dithered`](crate::band::Dithered) around this sink. Where the driver is `async`,
 /// [`draw_pages_async`](crate::band::PictureLoop::draw_pages_async) takes the place of the sink.
 ///
 /// After an error of the closure the next picture is whole again, from its first page on. A controller whose command was cut off

@@ -40,7 +40,9 @@ use crate::{
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` takes no bands",
-    note = "a display that is a `DrawTarget` takes them as `DisplaySink(&mut display)`, a function of bytes as `BytesSink(..)`"
+    note = "a display that is a `DrawTarget` takes them as `DisplaySink(&mut display)`",
+    note = "a function of bytes takes them as `BytesSink(|area: Rectangle, bytes: &[u8]| ..)`, with the types of its arguments",
+    note = "a `PagesSink` takes those of a picture in `BinaryColor`"
 )]
 pub trait Sink<C: BandColor, O: Order> {
     /// What can go wrong on the way to the display.

@@ -43,7 +43,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{clip::ClipMatrix, geometry::{Sub4, SubPoint}, scene::{Camera, Pose}};
 ///
 /// let viewport = Rectangle::new(Point::zero(), Size::new(241, 321));

@@ -32,7 +32,7 @@ impl Segments {
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{clip::{ClipMatrix, Segments}, geometry::{Sub4, SubPoint}, scene::{Camera, Pose}};
     ///
     /// let viewport = Rectangle::new(Point::zero(), Size::new(240, 240));

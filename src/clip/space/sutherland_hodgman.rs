@@ -37,7 +37,7 @@ impl ClipMatrix {
     ///
     /// ```
     /// use embedded_graphics::{prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{clip::ClipMatrix, scene::{Camera, Pose}};
     ///
     /// let viewport = Rectangle::new(Point::zero(), Size::new(240, 240));

@@ -31,8 +31,9 @@ pub(super) const NEVER_QUIET: i16 = i16::MIN;
 /// added.
 ///
 /// Its memory is lent: a slot an item, a pool of words (none for rectangles, discs, ellipses, thin lines and outlines of
-/// circles one pixel wide, 9 for a triangle, 10 for a wider line, 2 for a stroked rectangle, 4 for any other stroked circle
-/// or ellipse, one a character and one more for a text, some for each corner of a polygon), and buckets of rows. One bucket
+/// circles one pixel wide, 9 for the inside of a triangle and 12 with a stroke, 10 for a wider line, 2 for a stroked rectangle, 4
+/// for any other stroked circle or ellipse, 18 for a rounded rectangle, 11 for an arc or a sector, one a character and one more for a
+/// plain text of one line, 18 and its bytes for any other one, some for each corner of a polygon), and buckets of rows. One bucket
 /// for each row of the picture is fastest, fewer work as well. What is too small is an error that says how much is needed; a
 /// picture has up to 65,535 items, whose words begin within the first 65,536.
 ///
@@ -147,7 +148,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Has the picture record what changes, as up to so many rectangles. The rows of an item are cut into half as many
     /// parts, up to 8, each of four rows or more and as narrow as the item is there: where a needle moves, 8 rectangles are good,
     /// and 16 better.
-    /// Their sides are multiples of `grid`, columns and rows, for panels that take only such windows; 1 and 0 are any.
+    /// Their sides are multiples of `grid`, columns and rows, for panels that take only such windows, and so may lie outside of the
+    /// area: the buffer of a band has to hold such a row. 1 and 0 are any. [Pages](crate::band::PagesSink) of eight rows take `(1, 8)`.
     /// At first all of the area has changed.
     #[must_use]
     pub fn with_damage(mut self, areas: &'m mut [Window], grid: (u32, u32)) -> Self {

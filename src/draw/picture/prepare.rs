@@ -18,10 +18,10 @@ use crate::{
 /// What a [`Picture`](crate::draw::Picture) takes by copy.
 #[diagnostic::on_unimplemented(
     message = "a picture of this colour and byte order takes no copy of `{Self}`",
-    note = "it copies shapes with a style, `shape.into_styled(PrimitiveStyle::with_fill(color))`, and texts",
-    note = "other drawables of embedded-graphics lie in a `DrawableItem` that `Picture::add_item` refers to, images are added by \
-            `Picture::add_image`",
-    note = "antialiased styles need a colour with channels: not `BinaryColor`"
+    note = "it copies shapes with a style, `shape.into_styled(PrimitiveStyle::with_fill(color))`, and texts, of the picture's colour",
+    note = "a shape of sub-pixels, such as a `SubArc`, takes an antialiased style, `PrimitiveStyle::with_fill(color).antialiased()`",
+    note = "a `PaintedShape`, a `SceneItem` and any `PictureItem` is added by `Picture::add_item`, which refers to it, and so is any \
+            other drawable of embedded-graphics in a `DrawableItem`; images are added by `Picture::add_image`"
 )]
 pub trait Prepare<'a, C: BandColor, O: Order> {
     /// Writes the item's words, and says where it is and how it is drawn.
@@ -83,6 +83,11 @@ pub(super) fn not_used<C: BandColor>() -> C::Word {
 }
 
 /// A shape that a picture keeps in a form of its own.
+#[diagnostic::on_unimplemented(
+    message = "a picture takes no copy of `{Self}` in this style",
+    note = "a shape of sub-pixels, such as a `SubArc`, takes an antialiased style, `PrimitiveStyle::with_fill(color).antialiased()`",
+    note = "what else is drawn by a program lies in a `DrawableItem` or is a `PictureItem`, which `Picture::add_item` refers to"
+)]
 pub(super) trait CopiedShape {
     fn prepare<'a, C: BandColor, O: Order>(
         &self,

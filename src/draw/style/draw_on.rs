@@ -42,6 +42,11 @@ use crate::{draw::PrimitiveStyle, shade::BlendTarget, surface::Target};
 /// display.assert_pattern(&["######## ", "#####  ##", "#####  ##", "######## "]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be drawn on a target as it is",
+    note = "a shape in an antialiased style is drawn on `&mut band.antialiased::<EDGES, ACTIVE>(&mut cells)`, or by a `Picture`",
+    note = "a `Polygon` or a `Path` is filled in its prepared form, `polygon.prepare::<EDGES, ACTIVE>()?`, or by a `Picture`"
+)]
 pub trait DrawOn {
     /// The colour type of the target.
     type Color: PixelColor;
@@ -88,6 +93,11 @@ pub trait BlendOn {
 
 // Not re-exported: users draw a shape with its style.
 /// A shape that can be drawn in a [`PrimitiveStyle`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be drawn in a `PrimitiveStyle` as it is",
+    note = "a `Polygon` is drawn in its prepared form, `polygon.prepare::<EDGES, ACTIVE>()?`, or by a `Picture`",
+    note = "a shape of sub-pixels, such as a `SubArc`, takes an antialiased style, `PrimitiveStyle::with_fill(color).antialiased()`"
+)]
 pub trait StyledShape {
     /// Draws the part of the styled shape that lies inside the target's window.
     ///

@@ -56,7 +56,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*, primitives::Line};
-/// use fixed::types::U16F16;
+/// use zrow::fixed::types::U16F16;
 /// use zrow::draw::{LineCap, StrokeStyle};
 ///
 /// const DASHES: [U16F16; 2] = [U16F16::lit("3"), U16F16::lit("2")];

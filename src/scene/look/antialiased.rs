@@ -26,7 +26,7 @@ use crate::{scene::Look, shade::ChannelColor, visible::ByArea};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     band::Band,
 ///     geometry::InputError,

@@ -9,7 +9,7 @@ use crate::{scene::Look, visible::LookVisibility};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::scene::{Camera, Deep, FaceSet, Memory, Model};
 ///
 /// // A poster, two units in front of a house 8,000 units away, where one unit of 16-bit depths is 7.6 units of space.

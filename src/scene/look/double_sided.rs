@@ -14,7 +14,7 @@ use crate::scene::Look;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I16F16, U0F16};
+/// use zrow::fixed::types::{I16F16, U0F16};
 /// use zrow::{
 ///     band::Band,
 ///     scene::{Camera, DoubleSided, FaceSet, Memory, Model, Pose, Rotation},

@@ -9,7 +9,7 @@ use crate::{geometry::Sub8, scene::Look};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::scene::{Camera, FaceSet, Fine, Memory, Model};
 ///
 /// // One unit is 1/32 pixel there: the model moves right by that in each frame.

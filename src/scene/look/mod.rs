@@ -49,7 +49,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     geometry::InputError,
 ///     scene::{Camera, FaceSet, Fine, Memory, Model, Whole},

@@ -21,7 +21,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I8F24, I16F16};
+/// use zrow::fixed::types::{I8F24, I16F16};
 /// use zrow::{
 ///     geometry::InputError,
 ///     scene::{Camera, FaceSet, Memory, Model, Orthographic},

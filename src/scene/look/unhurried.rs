@@ -9,7 +9,7 @@ use crate::scene::Look;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     band::Band,
 ///     scene::{Camera, Counted, FaceSet, Memory, Model, Unhurried},

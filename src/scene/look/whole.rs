@@ -13,7 +13,7 @@ use crate::scene::{Look, stored_attributes::ButCoordinates};
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I16F16, U0F16};
+/// use zrow::fixed::types::{I16F16, U0F16};
 /// use zrow::scene::{Camera, FaceSet, Memory, Model, Pose, Rotation, Whole};
 ///
 /// static LOGO: FaceSet = match FaceSet::new(&[[-512, -512, 0], [0, 512, 0], [512, -512, 0]], &[[0, 1, 2]]) {

@@ -19,7 +19,7 @@ use crate::{
 
 /// A paint whose colours change along a straight line; beyond its ends the colours of the ends go on.
 ///
-/// RAM: its 256 colours, 512 bytes in RGB565. Make it once, not for each band, because making it computes all of them.
+/// RAM: its 256 colours, 512 bytes in RGB565, 28 bytes and the [ramp](Ramp). Make it once, not for each band, because making it computes all of them.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray8, Rgb888}, prelude::*};

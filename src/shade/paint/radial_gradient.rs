@@ -20,8 +20,8 @@ use crate::{
 
 /// A paint whose colours change with the distance from a centre; beyond the radius the last colour goes on.
 ///
-/// RAM: its 256 colours, 512 bytes in RGB565, and 1,028 bytes of squares. Make it once, not for each band, because
-/// making it computes all of them.
+/// RAM: its 256 colours, 512 bytes in RGB565, 1,040 bytes, most of them squares of radii, and the [ramp](Ramp). Make it once, not
+/// for each band, because making it computes all of them.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::{Gray8, Rgb888}, prelude::*};

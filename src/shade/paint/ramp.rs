@@ -18,7 +18,7 @@ struct Stop {
 
 /// Colours interpolated between stops. The first stop's colour is used before it, the last stop's after it.
 ///
-/// RAM: 20 bytes a stop.
+/// RAM: 16 bytes a stop.
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb888, prelude::*};

@@ -40,7 +40,7 @@ use crate::{
 ///     scene::{Camera, FaceSet, Memory, Model, Pose},
 ///     shade::Translucent,
 /// };
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 ///
 /// type Scene = Translucent<Gray8>;
 ///

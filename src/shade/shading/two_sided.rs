@@ -28,7 +28,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Gray8, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I16F16, U0F16};
+/// use zrow::fixed::types::{I16F16, U0F16};
 /// use zrow::{
 ///     band::Band,
 ///     scene::{Camera, DoubleSided, FaceSet, Memory, Model, Pose, Rotation},

@@ -33,7 +33,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     scene::{Camera, Counted, FacePlanes, FaceSet, Memory, Model},
 ///     shade::WithPlanes,

@@ -15,7 +15,7 @@ use crate::{geometry::SubPoint, view::ScreenPrecision};
 ///     prelude::*,
 ///     primitives::{Line, Rectangle},
 /// };
-/// use fixed::types::{U16F16, U24F8};
+/// use zrow::fixed::types::{U16F16, U24F8};
 /// use zrow::{
 ///     band::Band,
 ///     draw::{AntialiasingMemory, FillRule, LineCap, Picture, PictureSlot, StrokeStyle, SubLine},

@@ -3,7 +3,7 @@
 //!
 //! The words are 0 and, for each character, the bit of its glyph's first pixel in the image. What has several lines, a
 //! background, decorations or glyphs of more than 24 columns is kept as it was given, and drawn as any text in each
-//! band: its words begin with 1.
+//! band: its words begin with 1. What has no pixels has no words.
 
 use core::{hint::black_box, num::Wrapping};
 
@@ -58,9 +58,13 @@ impl<'a, C: BandColor, O: Order> Prepare<'a, C, O> for Text<'_, MonoTextStyle<'a
                 (extent, Band::<C, O>::word(color))
             }
             _ => {
+                let bounds = lines.bounds();
+                if bounds.is_empty() {
+                    return Draft::nothing();
+                }
                 payload.push(AS_GIVEN);
                 push_text(self, payload);
-                (Extent::of(&lines.bounds()), not_used::<C>())
+                (Extent::of(&bounds), not_used::<C>())
             }
         };
         let kind: &'a dyn PictureItem<C, O> = style.font;

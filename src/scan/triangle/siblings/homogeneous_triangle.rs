@@ -47,7 +47,7 @@ impl Polygons {
     /// ```
     /// use core::convert::Infallible;
     /// use embedded_graphics::{prelude::*, primitives::Rectangle};
-    /// use fixed::types::I16F16;
+    /// use zrow::fixed::types::I16F16;
     /// use zrow::{clip::ClipMatrix, scan::Polygons, scene::{Camera, Pose}};
     ///
     /// let viewport = Rectangle::new(Point::zero(), Size::new(8, 8));

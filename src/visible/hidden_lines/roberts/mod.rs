@@ -85,7 +85,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::{I2F14, I16F16, U0F16};
+/// use zrow::fixed::types::{I2F14, I16F16, U0F16};
 /// use zrow::{
 ///     scene::{Camera, Edge, FaceSet, Memory, Model, Pose, Rotation},
 ///     visible::{PartKind, Roberts},

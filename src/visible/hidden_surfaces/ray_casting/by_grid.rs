@@ -59,7 +59,7 @@ const CELLS_FOR_EACH_FACE: usize = 8;
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     band::Band,
 ///     scene::{Camera, FaceSet, Memory, Model},

@@ -61,7 +61,7 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-/// use fixed::types::I16F16;
+/// use zrow::fixed::types::I16F16;
 /// use zrow::{
 ///     band::Band,
 ///     scene::{Camera, DoubleSided, FaceSet, Memory, Model, Pose},
