@@ -93,7 +93,8 @@ pub enum TooSmall {
 }
 
 impl TooSmall {
-    /// How many entries the memory should have that the error is about: the smallest number with which the call does not fail for it.
+    /// How many entries the memory should have that the error is about: the smallest number with which the call does not fail for it,
+    /// and for [`Clipper`](crate::clip::Clipper) one that is enough.
     pub const fn needed(&self) -> usize {
         match *self {
             Self::Edges(needed)
