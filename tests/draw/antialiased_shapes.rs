@@ -12,7 +12,8 @@ use embedded_graphics::{
 };
 use zrow::{
     band::Band,
-    draw::{Antialiased, AntialiasingMemory, DrawAntialiased, Picture, PictureSlot, PrimitiveStyle},
+    draw::{AntialiasingMemory, DrawAntialiased, ItemId, Picture, PictureSlot, PrimitiveStyle},
+    geometry::InputError,
 };
 
 use crate::{
@@ -188,18 +189,18 @@ fn check_cut_off(shape: &RoundedRectangle, width: u32) {
             for ((outer, drawn), pixel) in outer.iter().zip(&drawn).zip(AREA.points()) {
                 assert!(*outer > 0 || *drawn == 0, "{shape:?}, {style:?}, {pixel:?}: {drawn}");
             }
-            assert_eq!(prepared(&styled), drawn, "{shape:?}, {style:?}");
+            assert_eq!(prepared(|picture| picture.add(&styled)), drawn, "{shape:?}, {style:?}");
         }
     }
 }
 
-/// The coverage of each pixel by a shape that is prepared in a picture.
-fn prepared(shape: &Styled<RoundedRectangle, Antialiased<PrimitiveStyle<Gray8>>>) -> Vec<u8> {
+/// The coverage of each pixel by a shape that is added to a picture.
+fn prepared(add: impl FnOnce(&mut Picture<'_, '_, Gray8>) -> Result<ItemId, InputError>) -> Vec<u8> {
     let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], vec![0; 4_096], [0; SIDE as usize]);
     let mut memory = AntialiasingMemory::<{ SIDE as usize + 1 }, 512, 64>::new();
     let mut picture: Picture<Gray8> =
         Picture::new(AREA, &mut slots, &mut pool, &mut buckets).with_antialiasing(&mut memory);
-    picture.add(shape).unwrap();
+    add(&mut picture).unwrap();
     let mut words = vec![0; (SIDE * SIDE) as usize];
     picture.draw(&mut Band::<Gray8>::new(AREA, &mut words).unwrap());
     words
@@ -268,6 +269,77 @@ fn sectors() {
             nearest < beyond + 0.5 && in_ellipse(&sector.bounding_box(), beyond, x, y)
         });
     }
+}
+
+/// A sector whose sides meet outside of the disc, or nowhere in it: narrow ones in a wide stroke outside have the disc's back
+/// between their sides, and of wide ones in a wide stroke inside two parts of the disc are left, or what is beyond the bevel.
+#[test]
+fn sectors_whose_sides_meet_outside_of_the_disc() {
+    let [inside, center, outside] = ALIGNMENTS;
+    let middle = Point::new(14, 12);
+    for (diameter, sweep, width, alignment) in [
+        // The outer side, with and without a bevel, and the hole.
+        (10, 40.0, 6, outside),
+        (10, 65.0, 12, outside),
+        (20, 4.0, 6, outside),
+        // The hole in two parts, and the part of it that is beyond the bevel.
+        (40, 270.0, 9, inside),
+        (20, 318.0, 8, inside),
+        (20, 340.0, 10, center),
+    ] {
+        let top_left = middle - Point::new_equal(diameter / 2);
+        check_sector(top_left, diameter as u32, [200.0, sweep], &stroke(width, alignment));
+    }
+    let mut random = Xorshift::new(0xd15c);
+    for index in 0..cases(16, 60) {
+        let diameter = random.between(2, 24) as u32;
+        let top_left = Point::new(random.between(-4, 20), random.between(-4, 20));
+        let (start, narrow) = (f64::from(random.between(0, 359)), f64::from(random.between(1, 100)));
+        let sweep = if index % 2 == 0 { narrow } else { 360.0 - narrow };
+        let alignment = ALIGNMENTS[random.between(0, 2) as usize];
+        let style = stroke(random.between(1, 14) as u32, alignment);
+        check_sector(top_left, diameter, [start, sweep], &style);
+    }
+}
+
+/// Compares the stroke of a sector with the ideal one, and with that in a picture.
+fn check_sector(top_left: Point, diameter: u32, degrees: [f64; 2], style: &PrimitiveStyle<Gray8>) {
+    let [start, sweep] = degrees.map(|degrees| Angle::from_degrees(degrees as f32));
+    let sector = Sector::new(top_left, diameter, start, sweep).into_styled(style.antialiased());
+    let (inside, outside) = widths(style);
+    compare(&format!("{sector:?}"), &sector, |x, y| {
+        let is_in = |beyond: f64| in_sector(&sector.primitive, degrees, outside, beyond, x, y);
+        is_in(outside) && !is_in(-inside)
+    });
+    assert_eq!(
+        prepared(|picture| picture.add(&sector)),
+        coverage(&sector),
+        "{sector:?}"
+    );
+}
+
+/// Whether a point is in a sector whose border is moved outwards, and whose tip is cut off by a stroke so far outside.
+fn in_sector(shape: &Sector, [start, sweep]: [f64; 2], outside: f64, beyond: f64, x: f64, y: f64) -> bool {
+    let (center_x, center_y) = middle(shape.top_left, shape.diameter);
+    let (right, down) = (x - center_x, y - center_y);
+    // How far the point lies on the right side of a line through the centre.
+    let beside = |degrees: f64| {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        down * cosine - right * sine
+    };
+    let (first, last) = (-beside(start), beside(start + sweep));
+    let sides = beyond + 0.5;
+    let along_middle = -beside(start + sweep / 2.0 + 90.0);
+    let tip = sides.abs() / (sweep / 2.0).to_radians().sin();
+    let is_cut = tip > 2.0 * outside;
+    let is_between = if sweep < 180.0 {
+        let is_cut = is_cut && sweep < 55.0 && sides > 0.0;
+        first.max(last) < sides && !(is_cut && along_middle < -2.0 * outside)
+    } else {
+        let is_cut = is_cut && sweep > 305.0 && sides < 0.0;
+        first.min(last) < sides || is_cut && along_middle > 2.0 * outside
+    };
+    is_between && in_ellipse(&shape.bounding_box(), beyond, x, y)
 }
 
 /// Angles above 40 degrees, so that the corners are miters.

@@ -171,10 +171,25 @@ impl Sides {
         let [radius, _] = around.radii;
         let disc = || RoundContour::ellipse(center, around.radii).map(Some);
         let Some(sweep) = self.sweep else { return disc() };
+        let arc = |start: i32, sweep: i32| OutlineArc::new(center, around.radii, (start, sweep));
+        let half_sweep = sweep.sweep >> 1;
+        let middle = sweep.start + half_sweep;
+        let tip = Tip {
+            center,
+            middle: direction(middle),
+            half_sine: direction(half_sweep)[1],
+            beyond,
+        };
+        let is_sharp = sweep.sweep < SHARP && beyond > 0 || sweep.sweep > TURN - SHARP && beyond < 0;
+        let is_cut = is_sharp && tip.distance() > self.bevel;
+        // Half of the angle over which the bevel passes through the disc.
+        let bevelled = if is_cut { arc_cosine(self.bevel, radius) } else { 0 };
         if beyond.abs() >= radius {
             // The sides pass the disc on the outside, or on the inside.
             return if beyond > 0 && sweep.sweep > 0 {
                 disc()
+            } else if beyond < 0 && bevelled > 0 {
+                Ok(Some(RoundContour::new(&[arc(middle - bevelled, 2 * bevelled)?])))
             } else {
                 Ok(None)
             };
@@ -188,24 +203,34 @@ impl Sides {
         if round >= TURN {
             return disc();
         }
-        let arc = OutlineArc::new(center, around.radii, (sweep.start - behind, round))?;
-        let half = sweep.start + (sweep.sweep >> 1);
-        let tip = Tip {
-            center,
-            middle: direction(half),
-            half_sine: direction(sweep.sweep >> 1)[1],
-            beyond,
-        };
-        let is_sharp = sweep.sweep < SHARP && beyond > 0 || sweep.sweep > TURN - SHARP && beyond < 0;
-        let contour = if is_sharp && tip.distance() > self.bevel {
+        let outer = arc(sweep.start - behind, round)?;
+        // Where the sides meet outside of the disc, the angle on its back from each of them to the other one or to the bevel.
+        let back = behind - half_sweep - bevelled;
+        let contour = if back > 0 {
+            let opposite = middle + TURN / 2;
+            let (last, first) = (arc(opposite - bevelled - back, back)?, arc(opposite + bevelled, back)?);
+            RoundContour::new(&[outer, last, first])
+        } else if bevelled == 0 && behind + (TURN >> 1) < half_sweep {
+            segments([
+                arc(sweep.start - behind, TURN / 2 + 2 * behind)?,
+                arc(sweep.end() - TURN / 2 - behind, TURN / 2 + 2 * behind)?,
+            ])?
+        } else if is_cut {
             let at = if beyond > 0 { -self.bevel } else { self.bevel };
             let [one, other] = tip.bevelled(at, sweep);
-            RoundContour::new(&[arc, OutlineArc::point(one)?, OutlineArc::point(other)?])
+            RoundContour::new(&[outer, OutlineArc::point(one)?, OutlineArc::point(other)?])
         } else {
-            RoundContour::new(&[arc, OutlineArc::point(tip.position())?])
+            RoundContour::new(&[outer, OutlineArc::point(tip.position())?])
         };
         Ok(Some(contour))
     }
+}
+
+/// The two parts of a disc between arcs and their chords. The line from one to the other is passed there and back, so that it
+/// covers nothing.
+fn segments([one, other]: [OutlineArc; 2]) -> Result<RoundContour, InputError> {
+    let start = |arc: &OutlineArc| OutlineArc::point(arc.corner(0).map(i64::from));
+    Ok(RoundContour::new(&[one, start(&one)?, other, start(&other)?]))
 }
 
 /// The corner of a sector, where both sides meet.
@@ -264,6 +289,15 @@ impl Tip {
             let part = |component: i64| round_products(reach * component);
             [x + part(across[0]), y + part(across[1])]
         })
+    }
+}
+
+/// The angle whose cosine is `distance / radius`, in [`TURN`]ths of a turn; 0 from a distance of the radius on.
+fn arc_cosine(distance: i64, radius: i64) -> i32 {
+    if distance < radius {
+        TURN / 4 - arc_sine(distance, radius)
+    } else {
+        0
     }
 }
 
