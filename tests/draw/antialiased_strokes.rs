@@ -274,6 +274,54 @@ fn polylines_with_round_joins() {
     }
 }
 
+/// Whether a point is in the stroke of two segments with a bevelled corner and round caps.
+fn in_bevelled_stroke([a, b, c]: [Point; 3], half: f64, x: f64, y: f64) -> bool {
+    let in_segment = |line: &Line| in_stroke(line, half, LineCap::Butt, x, y);
+    let in_disc = |center: Point| (x - f64::from(center.x)).hypot(y - f64::from(center.y)) < half;
+    // The corners of the bevel from the vertex, at right angles to both segments.
+    let (before, after) = (b - a, c - b);
+    let cross = |(ax, ay): (f64, f64), (bx, by): (f64, f64)| ax * by - ay * bx;
+    let vector = |point: Point| (f64::from(point.x), f64::from(point.y));
+    let side = -half * cross(vector(before), vector(after)).signum();
+    let corner = |along: Point| {
+        let (right, down) = vector(along);
+        let size = right.hypot(down);
+        (-down / size * side, right / size * side)
+    };
+    let (one, other) = (corner(before), corner(after));
+    let from_vertex = (x - f64::from(b.x), y - f64::from(b.y));
+    let area = cross(one, other);
+    let parts = [cross(from_vertex, other) / area, cross(one, from_vertex) / area];
+    let in_bevel = parts[0] >= 0.0 && parts[1] >= 0.0 && parts[0] + parts[1] < 1.0;
+    in_segment(&Line::new(a, b)) || in_segment(&Line::new(b, c)) || in_disc(a) || in_disc(c) || in_bevel
+}
+
+/// The disc about an end of a segment that is shorter than the disc's radius reaches further back than the segment, where no round
+/// join covers that.
+#[test]
+fn round_caps_of_short_segments_are_discs() {
+    let style = StrokeStyle::new(Gray8::WHITE, 15)
+        .cap(LineCap::Round)
+        .join(LineJoin::Bevel);
+    for corners in [
+        [(8, 30), (24, 14), (25, 17)],
+        [(25, 17), (24, 14), (8, 30)],
+        [(8, 20), (38, 20), (34, 18)],
+    ] {
+        let vertices = corners.map(|(x, y)| Point::new(x, y));
+        let polyline = Polyline::new(&vertices).into_styled(style.antialiased());
+        compare(&format!("{vertices:?}"), &polyline, |x, y| {
+            in_bevelled_stroke(vertices, 7.5, x, y)
+        });
+    }
+    // A dash of 30 pixels, which ends 5 pixels behind the corner.
+    let [a, b, end, c] = [(8, 30), (28, 15), (24, 12), (16, 6)].map(|(x, y)| Point::new(x, y));
+    let lengths = [30, 40].map(U16F16::from_num::<i32>);
+    let vertices = [a, b, c];
+    let dashed = Polyline::new(&vertices).into_styled(style.dashes(&lengths).antialiased());
+    compare("a dash", &dashed, |x, y| in_bevelled_stroke([a, b, end], 7.5, x, y));
+}
+
 /// A pixel is wholly inside where its centre is further from the sides of the stroke than its corners are from its centre.
 #[test]
 fn strokes_have_no_seam() {

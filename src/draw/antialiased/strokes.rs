@@ -204,10 +204,17 @@ impl<'a> StrokeOutline<'a> {
     /// Hands over the rectangle along a part of a segment, with its round caps.
     fn part(&self, corners: &[[i32; 2]; 4], discs: [Option<Position>; 2], half_width: i64, edge: &mut EdgeSink<'_>) {
         let [first, second, third, fourth] = corners.map(|[x, y]| (i64::from(x), i64::from(y)));
+        let (right, down) = (second.0 - first.0, second.1 - first.1);
+        let is_short = right * right + down * down < half_width * half_width;
         match discs {
             [None, None] => self.polygon(&[first, second, third, fourth], edge),
             // A dot.
             [Some(center), None] if first == second => self.disc(center, half_width, edge),
+            // The disc reaches further back than the rectangle.
+            [Some(center), None] | [None, Some(center)] if is_short => {
+                self.polygon(&[first, second, third, fourth], edge);
+                self.disc(center, half_width, edge);
+            }
             [from, to] => {
                 let half_disc = |center: Option<Position>, begin: Position| {
                     center
