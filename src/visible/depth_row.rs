@@ -38,8 +38,9 @@ impl<'a, C: BandColor, O: Order, D: DepthWidth> DepthRow<'a, C, O, D> {
         use crate::surface::Target;
         let band_left = band.window().left;
         let start = usize::try_from(window.left - band_left).ok()?;
-        let width = window.width() as usize;
-        let words = band.row_mut(y)?.get_mut(start..start + width)?;
+        // A window without columns has a huge number of them here, which no band has.
+        let width = (window.right - window.left) as usize;
+        let words = band.row_mut(y)?.get_mut(start..)?.get_mut(..width)?;
         let depths = depths.get_mut(..width)?;
         Some(Self {
             y,

@@ -38,32 +38,40 @@ pub(super) fn paint_disjoint_rows<S: ScreenPrecision, D: DepthWidth, H: Shading>
     if H::Attributes::NEED_DEPTH || H::BLENDS || H::HAS_HOLES {
         return window.top;
     }
+    let Some(list) = painter.active() else {
+        return window.top;
+    };
     // A list that has no room for all faces of some row.
-    if painter.active().is_none_or(|list| list.needs_passes()) {
+    if list.needs_passes() || window.top >= window.bottom {
         return window.top;
     }
-    for row in window.top..window.bottom {
-        if !paint_row(faces, [window.left, row], painter) {
-            if let Some(list) = painter.active() {
-                // Some faces were stepped to the next row, others were not.
-                list.next_row = i32::MIN;
-            }
-            return row;
+    bring_to_row(list, faces, [window.left, window.top]);
+    let mut row = window.top;
+    let next_row = loop {
+        if !paint_row(faces, row, painter) {
+            // Some faces were stepped to the next row, others were not.
+            break i32::MIN;
         }
+        row += 1;
+        if row == window.bottom {
+            break row;
+        }
+        if let Some(list) = painter.active() {
+            begin_faces(list, faces, row);
+        }
+    };
+    if let Some(list) = painter.active() {
+        list.next_row = next_row;
     }
-    window.bottom
+    row
 }
 
-/// Paints a row that begins at a column. `false` where faces have a column in common: some were painted then.
+/// Paints a row in which the active list is. `false` where faces have a column in common: some were painted then.
 fn paint_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     faces: &impl FaceTable<S, D, H>,
-    at: [i32; 2],
+    row: i32,
     painter: &mut impl Painter<S, H>,
 ) -> bool {
-    let [_, row] = at;
-    if let Some(list) = painter.active() {
-        bring_to_row(list, faces, at);
-    }
     if painter.disjoint_row(row) {
         return true;
     }
@@ -81,13 +89,22 @@ fn bring_to_row<S: ScreenPrecision, D: DepthWidth, H: Shading>(
     [left, row]: [i32; 2],
 ) {
     if list.disjoint && list.next_row == row && list.first_column == left {
-        let first = faces.first_in_row(row);
-        if first != NONE {
-            list.begin_faces(faces, first, true);
-        }
+        begin_faces(list, faces, row);
     } else {
         list.first_column = left;
         list.enter_in_order(faces, row);
     }
-    list.next_row = row + 1;
+}
+
+/// Adds the faces that begin in a row to an active list in the order of columns.
+#[inline]
+fn begin_faces<S: ScreenPrecision, D: DepthWidth, H: Shading>(
+    list: &mut ActiveList<S, H>,
+    faces: &impl FaceTable<S, D, H>,
+    row: i32,
+) {
+    let first = faces.first_in_row(row);
+    if first != NONE {
+        list.begin_faces(faces, first, true);
+    }
 }
