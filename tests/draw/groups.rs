@@ -373,24 +373,31 @@ proptest! {
     }
 }
 
-/// One row for the group, and one more for the group that lies in it; an opaque group needs none.
+/// One row for the group, and one more for the group that lies in it; groups that are opaque or not shown need none, wherever they
+/// lie.
 #[test]
 fn too_few_rows_are_an_error_that_says_how_many() {
-    let too_small = |needed| Err(InputError::TooSmall(TooSmall::GroupWords(needed)));
+    let too_small = |needed| Err(InputError::TooSmall(TooSmall::GroupWords(needed * WIDTH)));
     let (mut slots, mut pool, mut kept) = ([PictureSlot::EMPTY; 8], [0; 40], [0; WIDTH]);
     let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_group_rows(&mut kept);
-    let outer = picture.begin_group(Group::new()).unwrap();
-    assert_eq!(picture.begin_group(Group::new().opacity(9)), too_small(2 * WIDTH));
-    assert_eq!((picture.slots_used(), picture.words_used()), (1, 5));
+    let (opaque, hidden) = (Group::new(), Group::new().opacity(0));
+    let blended = |opacity| Group::new().opacity(opacity);
+    let outer = picture.begin_group(opaque).unwrap();
+    let group = picture.begin_group(blended(9)).unwrap();
+    assert_eq!(picture.begin_group(blended(9)), too_small(2));
+    assert_eq!((picture.slots_used(), picture.words_used()), (2, 10));
+    let inner = picture.begin_group(hidden).unwrap();
+    assert_eq!(picture.replace_group(group, blended(7)), Ok(()));
+    assert_eq!(picture.replace_group(outer, blended(1)), too_small(2).map(drop));
+    assert_eq!(picture.replace_group(inner, blended(1)), too_small(2).map(drop));
     picture.end_group().unwrap();
-    let group = picture.begin_group(Group::new().opacity(9)).unwrap();
-    picture.begin_group(Group::new().opacity(0)).unwrap();
-    assert_eq!(
-        picture.replace_group(group, Group::new().opacity(7)),
-        too_small(2 * WIDTH).map(drop)
-    );
-    assert_eq!(picture.replace_group(group, Group::new()), Ok(()));
-    assert_eq!(picture.replace_group(outer, Group::new().opacity(1)), Ok(()));
+    picture.end_group().unwrap();
+    // Beside the other one.
+    picture.begin_group(blended(9)).unwrap();
+    assert_eq!(picture.replace_group(outer, blended(1)), too_small(2).map(drop));
+    assert_eq!(picture.replace_group(group, opaque), Ok(()));
+    assert_eq!(picture.replace_group(inner, blended(1)), Ok(()));
+    assert_eq!(picture.replace_group(outer, hidden), Ok(()));
 }
 
 /// An end without a beginning, a beginning without an end, and a beginning that was taken out.

@@ -355,31 +355,42 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Checks that there are rows for all groups, with one more before an item that keeps a row.
     fn check_kept_rows(&self, index: usize) -> Result<(), TooSmall> {
-        // Groups around it, and the most that lie in each other in it.
-        let (mut around, mut inside, mut most_inside) = (0usize, 0usize, 0usize);
-        for before in 0..index {
-            match self.role_of(before) {
-                Role::GroupBegin => around += 1,
-                Role::GroupEnd => around = around.saturating_sub(1),
-                Role::Item | Role::Outline => {}
-            }
-        }
-        for behind in index + 1..self.slots_used() {
-            match self.role_of(behind) {
-                Role::GroupBegin => inside += 1,
-                Role::GroupEnd if inside == 0 => break,
-                Role::GroupEnd => inside -= 1,
-                Role::Item | Role::Outline => {}
-            }
-            most_inside = most_inside.max(inside);
-        }
+        let kept = usize::from(self.keeps_row(index));
+        let inside = (index + 1..self.end_of(index)).filter(|&inner| self.keeps_row(inner));
+        let most = inside.map(|inner| self.kept_around(inner) + 1 - kept).max();
+        // The groups in it count those around it, too.
+        let rows = 1 + most.unwrap_or_else(|| self.kept_around(index));
         // No slice has as many words as this is where it does not fit.
-        let needed = (around + 1 + most_inside).saturating_mul(self.area.width() as usize);
+        let needed = rows.saturating_mul(self.area.width() as usize);
         if needed <= self.group_rows.len() {
             Ok(())
         } else {
             Err(TooSmall::GroupWords(needed))
         }
+    }
+
+    /// How many groups lie around an item that keep a row.
+    fn kept_around(&self, index: usize) -> usize {
+        let (mut ended, mut kept) = (0usize, 0);
+        for before in (0..index).rev() {
+            match self.role_of(before) {
+                Role::GroupEnd => ended += 1,
+                Role::GroupBegin if ended > 0 => ended -= 1,
+                Role::GroupBegin => kept += usize::from(self.keeps_row(before)),
+                Role::Item | Role::Outline => {}
+            }
+        }
+        kept
+    }
+
+    /// Whether an item begins a group of which a row is kept.
+    fn keeps_row(&self, index: usize) -> bool {
+        let Some(slot) = self.slots.get(index) else {
+            return false;
+        };
+        let has_path = slot.words > GROUP_WORDS;
+        self.role_of(index) == Role::GroupBegin
+            && (has_path || Group::read(self.pool.slice(slot.at, slot.words)).is_blended())
     }
 }
 
