@@ -424,6 +424,45 @@ fn groups_without_one_of_their_ends() {
     assert_eq!(picture.replace_group(group, Group::new()), Err(InputError::NoSuchItem));
 }
 
+/// A group in another one, whose beginning is taken out: its end does not become that of the group around it.
+#[test]
+fn the_end_of_a_group_goes_with_its_beginning() {
+    let square = |left, color| {
+        Rectangle::new(Point::new(left, 0), Size::new(10, 10)).into_styled(PrimitiveStyle::with_fill(color))
+    };
+    let pixel = Rectangle::new(Point::zero(), Size::new_equal(1)).into_styled(PrimitiveStyle::with_fill(Rgb565::WHITE));
+    let clips = [Size::new(15, 5), Size::new(12, 2)].map(|size| Group::new().clip(Rectangle::new(Point::zero(), size)));
+    for change in 0..3 {
+        let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 7], [0; 12], [0; 32]);
+        let mut damage = [Window::EMPTY; 4];
+        let mut picture =
+            Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut buckets).with_damage(&mut damage, (1, 1));
+        picture.begin_group(clips[0]).unwrap();
+        let inner = picture.begin_group(clips[1]).unwrap();
+        picture.add(&square(0, Rgb565::RED)).unwrap();
+        picture.end_group().unwrap();
+        picture.add(&square(10, Rgb565::BLUE)).unwrap();
+        picture.end_group().unwrap();
+        picture.add(&square(20, Rgb565::GREEN)).unwrap();
+        let mut display = Display::new(AREA);
+        display.draw_damage(&mut picture, &[1]);
+        match change {
+            0 => picture.remove(inner),
+            1 => picture.replace(inner, &pixel).unwrap(),
+            _ => picture.replace_item(inner, &pixel).unwrap(),
+        }
+        display.draw_damage(&mut picture, &[1]);
+        let expected = |Point { x, y }: Point| match x {
+            0..10 if y < 5 => Rgb565::RED,
+            10..15 if y < 5 => Rgb565::BLUE,
+            20..30 if y < 10 => Rgb565::GREEN,
+            _ => Rgb565::BLACK,
+        };
+        let expected: Vec<u16> = AREA.points().map(|point| expected(point).into_storage()).collect();
+        assert_eq!(display.words, expected, "change {change}");
+    }
+}
+
 /// What changes where a group begins or ends no more is drawn anew: all of its items, or all behind it.
 #[test]
 fn ends_that_are_taken_out_are_damage() {

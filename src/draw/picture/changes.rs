@@ -32,6 +32,7 @@ impl<'a, C: BandColor, O: Order> Picture<'_, 'a, C, O> {
             self.record(id, &rows);
         }
         let first = i32::from(draft.extent.first);
+        self.take_end_out(id);
         self.put_last(id, &old, (at, words, draft));
         if is_recorded {
             self.record(id, &if rows.contains(&first) { rows } else { self.rows_of(id) });

@@ -296,9 +296,10 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Takes an item's pixels out of the picture and its words out of the pool. Its position in the painter's order stays:
     /// [`replace`](Self::replace) puts something there again.
     ///
-    /// Of a group, the item that [`begin_group`](Self::begin_group) added may be taken out: its items stay, and are neither clipped
-    /// nor blended any more. Without the one that [`end_group`](Self::end_group) added, the group goes on to the end of the group
-    /// around it, or of the picture. An id that names no item here does nothing.
+    /// Of a group, the item that [`begin_group`](Self::begin_group) added may be taken out, and with it goes the one that
+    /// [`end_group`](Self::end_group) added: its items stay, and are neither clipped nor blended by it any more. Without the end alone,
+    /// the group goes on to the end of the group around it, which then goes on likewise, or to that of the picture. An id that names no
+    /// item here does nothing.
     pub fn remove(&mut self, id: ItemId) {
         if self.check_id(id).is_ok() {
             // No error: it needs no words.
@@ -461,6 +462,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         self.make_room(id, needed, &rows)?;
         let (at, words) = self.words_of(id);
         let draft = draft(self, at, words);
+        self.take_end_out(id);
         self.set(id, (at, words, draft));
         let rows = if rows.contains(&i32::from(extent.first)) {
             rows
@@ -469,6 +471,28 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
         };
         self.record(id, &rows);
         Ok(())
+    }
+
+    /// Takes the end of a group out whose beginning is about to go: it would end the group around that one. All that begins a group is
+    /// recorded as changed in the whole picture.
+    #[inline(never)]
+    pub(super) fn take_end_out(&mut self, ItemId(begin): ItemId) {
+        let begin = usize::from(begin);
+        let mut open = 0u32;
+        for index in begin..self.len {
+            match self.role_of(index) {
+                Role::GroupBegin => open += 1,
+                Role::GroupEnd => open = open.saturating_sub(1),
+                Role::Item | Role::Outline => {}
+            }
+            if open == 0 {
+                // The item itself where it begins no group.
+                if let Some(end) = self.slots.get_mut(index).filter(|_| index > begin) {
+                    *end = PictureSlot::EMPTY;
+                }
+                return;
+            }
+        }
     }
 
     /// Takes the words of an item out of the pool, whose place others then have.
