@@ -530,6 +530,36 @@ fn wrong_ids_are_no_lack_of_memory() {
     assert_eq!(picture.translate(group, Point::new(1, 1)), error);
 }
 
+/// A band of rows so far above the picture that 1/256 of them are more than 32 bits tell, and one that begins above all rows of a
+/// picture and ends in them.
+#[test]
+fn bands_above_all_rows_show_nothing_of_a_group_in_a_path() {
+    let center = SubPoint::<Sub8>::from_units(0, -8_180 * 256).unwrap();
+    let disc = SubEllipse::circle(center, U24F8::from_num(2)).unwrap();
+    let frame = Rectangle::new(Point::new(-4, -32_768), Size::new(8, 32_768))
+        .into_styled(PrimitiveStyle::with_fill(Rgb565::RED));
+    for buckets in [0, 4] {
+        let (mut slots, mut pool, mut kept) = ([PictureSlot::EMPTY; 4], [0; 64], [0; WIDTH]);
+        let (mut memory, mut buckets) = (AntialiasingMemory::<41, 8, 4>::new(), vec![0; buckets]);
+        let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut buckets)
+            .with_antialiasing(&mut memory)
+            .with_group_rows(&mut kept);
+        picture.add(&frame).unwrap();
+        picture
+            .begin_path_group(Group::new(), &disc, FillRule::NonZero)
+            .unwrap();
+        picture.end_group().unwrap();
+        let mut red_pixels = |top| {
+            let mut words = [0; 8 * 4];
+            let area = Rectangle::new(Point::new(-4, top), Size::new(8, 4));
+            picture.draw(&mut Band::new(area, &mut words).unwrap());
+            words.iter().filter(|word| **word != 0).count()
+        };
+        assert_eq!([i32::MIN, -20_000_000, -32_772].map(&mut red_pixels), [0; 3]);
+        assert_eq!([-32_770, -20_000_000, -32_768].map(&mut red_pixels), [16, 0, 32]);
+    }
+}
+
 /// From the band to the picture's area there are more columns than 31 bits tell.
 #[test]
 fn a_band_far_left_of_the_area_shows_nothing_of_a_group() {

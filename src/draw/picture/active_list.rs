@@ -15,7 +15,7 @@ use crate::{
     band::Band,
     draw::picture::{
         item::{NONE, PictureItem, PictureSlot},
-        picture::{ItemMemory, NEVER_QUIET, NOWHERE, Picture},
+        picture::{ItemMemory, NEVER_QUIET, Picture},
         pool::Pool,
     },
     geometry::{Window, offset_from},
@@ -92,7 +92,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
 
     /// Makes the items active that a window may show; `false` where it shows none.
     pub(super) fn go_to(&mut self, window: &Window) -> bool {
-        if window.is_empty() || !is_near(window.left) {
+        // Rows above those that fit 16 bits show nothing.
+        if window.is_empty() || !is_near(window.left) || window.bottom <= i32::from(NEVER_QUIET) {
             return false;
         }
         let is_first = !self.goes_on(window);
@@ -107,9 +108,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
                 _ => {}
             }
         }
-        // Rows above those that fit 16 bits show nothing: each of them is gone to anew.
-        let fits = window.bottom >= i32::from(NEVER_QUIET);
-        self.next_row = if fits { window.bottom } else { NOWHERE };
+        self.next_row = window.bottom;
         self.next_event = NEVER_QUIET;
         true
     }

@@ -403,7 +403,7 @@ fn draw<C: ChannelColor, O: Order, const IN_PATHS: bool>(
     for y in top..bottom {
         let Some(mut row) = band.one_row(y) else { break };
         if !picture.go_to(&row.window()) {
-            break;
+            continue;
         }
         let area = picture.area;
         let (mut index, mut memory) = picture.active_items();
