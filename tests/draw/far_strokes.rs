@@ -137,9 +137,11 @@ impl Far {
     }
 }
 
-/// Where vertices are: in sight, as far out as a stroke is drawn uncut, beyond, and beyond what a picture tells.
-const FAR: [(i32, i32); 9] = [
+/// Where vertices are: as far out as a stroke is drawn uncut, beyond, also with another one 19 columns to the left that is not, and
+/// beyond what a picture tells.
+const FAR: [(i32, i32); 10] = [
     (16_300, 20),
+    (16_403, 30),
     (-16_390, 30),
     (20_000, 20),
     (-20_000, 20),

@@ -131,11 +131,14 @@ impl<'a> Path<'a> {
         vertices.filter(|&position| beyond_limit(position))
     }
 
-    /// A box around all pixels that a stroke which reaches so far from its path may have around far vertices once it is moved. It
-    /// ends behind the pixels of which 16 bits tell that they are moved.
+    /// A box around all pixels that a stroke which reaches so far from its path may have once it is moved, where it has far vertices:
+    /// then a segment to one of them may be missing at its near end as well. It ends behind the pixels of which 16 bits tell that they
+    /// are moved.
     pub(crate) fn out_of_reach(&self, reach: i64) -> Bounds {
         let pixel = |units: i64| (units >> FRACTION_BITS).clamp(i16::MIN.into(), i64::from(i16::MAX) - 1);
-        self.far_vertices().fold(Bounds::EMPTY, |bounds, (x, y)| {
+        let is_far = self.far_vertices().next().is_some();
+        let vertices = (0..self.count).filter(|_| is_far).map(self.vertex);
+        vertices.fold(Bounds::EMPTY, |bounds, (x, y)| {
             let bounds = bounds.with(pixel(x - reach), pixel(y - reach));
             bounds.with(pixel(x + reach), pixel(y + reach))
         })
