@@ -219,3 +219,33 @@ fn what_is_far_out_and_antialiased_is_moved_into_sight_whole_or_not_at_all() {
         assert!(!is_moved || !is_out, "{far:?}");
     });
 }
+
+/// Strokes that are moved across the distance up to which they are drawn uncut are there what the moved shape is, and once they are
+/// back what they were.
+#[test]
+fn what_is_moved_out_of_reach_is_the_moved_shape() {
+    let (mut slots, mut pool, mut buckets) = ([PictureSlot::EMPTY; 1], vec![0; 20_000], vec![0; 47]);
+    let mut picture = Prepared::new(AREA, &mut slots, &mut pool, &mut buckets);
+    for (shape, style) in (0..SHAPES).flat_map(|shape| (0..STYLES).map(move |style| (shape, style))) {
+        let vertices = [Point::new(8, 12), Point::new(51, 36), Point::new(30, 44)];
+        for (x, y) in [(16_340, 0), (16_370, -7), (3, -16_410), (-16_392, 16_354), (20_000, 9)] {
+            let stroke = Far { shape, style, vertices };
+            picture.clear();
+            let id = stroke.add(&mut picture).unwrap();
+            for by in [Point::new(x, y), Point::zero()] {
+                let moved = Far {
+                    vertices: vertices.map(|vertex| vertex + by),
+                    ..stroke
+                };
+                let back = if by == Point::zero() { -Point::new(x, y) } else { by };
+                picture.translate(id, back).unwrap();
+                let area = AREA.translate(by);
+                let mut expected = vec![0; 61 * 47];
+                moved.draw(&mut Band::<Rgb565>::new(area, &mut expected).unwrap());
+                for heights in [[1], [7]] {
+                    assert!(in_bands(&mut picture, area, &heights) == expected, "{moved:?}");
+                }
+            }
+        }
+    }
+}

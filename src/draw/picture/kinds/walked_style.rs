@@ -67,6 +67,9 @@ const NEXT_CHANGE: usize = 5;
 /// Half the stroke's width.
 const RADIUS: usize = 6;
 
+/// In the word of the radius of a stroke that was moved to where not all of it is generated: it is drawn anew in each row.
+const IS_ANEW: u32 = 1 << 31;
+
 /// Whether a stroke is kept in a list: all of it is generated, and no segment has very many dashes.
 pub(super) fn is_kept(style: &StoredStyle<'_>, shape: &dyn StrokedShape) -> bool {
     let mut is_kept = true;
@@ -236,6 +239,11 @@ impl<'w> Parts<'w> {
         )
     }
 
+    /// Whether it lies where not all of it is generated: its shapes may be others than those of the list.
+    const fn is_anew(&self) -> bool {
+        self.header[RADIUS] & IS_ANEW != 0
+    }
+
     fn set_active(&mut self, polygons: usize, discs: usize) {
         // As many as there is room for in the words of an item.
         self.header[ACTIVE] = u32::from(polygons as u16) | (discs as u32) << 16;
@@ -381,7 +389,9 @@ impl<C: BandColor, O: Order> PictureItem<C, O> for WalkedStyle {
     fn enter(&self, slot: &mut PictureSlot<'_, C, O>, pool: &mut Pool<'_>, row: i32) {
         if let Some(mut stroke) = Parts::of(pool.slice_mut(slot.at, slot.words)) {
             stroke.clear();
-            stroke.change(row);
+            if !stroke.is_anew() {
+                stroke.change(row);
+            }
         }
     }
 
@@ -389,8 +399,14 @@ impl<C: BandColor, O: Order> PictureItem<C, O> for WalkedStyle {
         let Some(mut stroke) = Parts::of(pool.slice_mut(slot.at, slot.words)) else {
             return;
         };
-        let row = band.window().top;
-        let (word, radius) = (C::Word::from_repeated(stroke.header[0]), stroke.header[RADIUS] as i32);
+        let word = C::Word::from_repeated(stroke.header[0]);
+        if stroke.is_anew() {
+            let (style, paths) = stored_style::read(stroke.stroke.style);
+            let color = C::from_word(O::reorder(word));
+            let Ok(()) = style.in_color(color).draw_on(&paths, band);
+            return;
+        }
+        let (row, radius) = (band.window().top, stroke.header[RADIUS] as i32);
         // Beyond 16 bits, a run may be anywhere.
         let (left, right) = slot.extent.columns();
         let mut fill = |(start, end): (i32, i32)| {
@@ -435,4 +451,11 @@ fn translate(words: &mut [u32], by: Point) {
         *words = StoredShape(*words).moved(by.y).0;
     }
     stored_style::translate(rest, by);
+    header[RADIUS] &= !IS_ANEW;
+    let (_, paths) = stored_style::read(rest.get(..style).unwrap_or_default());
+    paths.paths(0, &mut |path| {
+        if path.far_vertices().next().is_some() {
+            header[RADIUS] |= IS_ANEW;
+        }
+    });
 }
