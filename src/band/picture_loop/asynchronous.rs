@@ -74,7 +74,7 @@ impl<C: BandColor, O: Order> PictureLoop<C, O> {
 }
 
 /// Polls a transfer, so that it starts, draws what comes next, and waits for the end of the transfer. An error of drawing is
-/// returned only then, so that the display has all that came before it.
+/// returned only then, so that the display has all that came before it. Nothing is drawn after a transfer that failed at once.
 // No `async fn`: its future would have a panic of its own, for being polled after its end, which the compiler does not leave out.
 pub(super) fn while_sent<T, E, X>(
     mut transfer: Pin<&mut impl Future<Output = Result<(), E>>>,
@@ -82,16 +82,17 @@ pub(super) fn while_sent<T, E, X>(
 ) -> impl Future<Output = Result<T, LoopError<E, X>>> {
     let (mut draw_next, mut next) = (Some(draw_next), None);
     poll_fn(move |context| {
-        let sent = transfer.as_mut().poll(context);
+        let is_sent = match transfer.as_mut().poll(context) {
+            Poll::Ready(Ok(())) => true,
+            Poll::Ready(Err(error)) => return Poll::Ready(Err(LoopError::Sink(error))),
+            Poll::Pending => false,
+        };
         if let Some(draw_next) = draw_next.take() {
             next = Some(draw_next());
         }
-        match sent {
-            Poll::Ready(Ok(())) => next
-                .take()
-                .map_or(Poll::Pending, |next| Poll::Ready(next.map_err(LoopError::from))),
-            Poll::Ready(Err(error)) => Poll::Ready(Err(LoopError::Sink(error))),
-            Poll::Pending => Poll::Pending,
+        match next.take_if(|_| is_sent) {
+            Some(next) => Poll::Ready(next.map_err(LoopError::from)),
+            None => Poll::Pending,
         }
     })
 }
