@@ -125,8 +125,8 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Lambert<LIGHTS, POIN
         }
     }
 
-    /// The light on a surface, within 8 units of the exact light, and 10 more for each light from a point, which is more where
-    /// the light is near: [`PointLight`] says how much.
+    /// The light on a surface, within 1 unit of the exact light, and 4 more for each light from a direction and 10 more for each
+    /// light from a point, which is more where the light is near: [`PointLight`] says how much.
     #[inline(always)]
     fn reflected(lights: &ModelLights<LIGHTS, POINTS>, normal: [i32; 3], position: [i32; 3]) -> ReflectedLight {
         let [x, y, z] = normal;
@@ -143,5 +143,74 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Lambert<LIGHTS, POIN
             diffuse: sum.min(FULL),
             specular: 0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    extern crate std;
+
+    use embedded_graphics::{
+        geometry::{Point, Size},
+        primitives::Rectangle,
+    };
+
+    use super::*;
+    use crate::{cases::cases, view::Rotation};
+
+    fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
+        a * x + b * y + c * z
+    }
+
+    fn unit(vector: [f64; 3]) -> [f64; 3] {
+        let length = dot(vector, vector).sqrt();
+        vector.map(|coordinate| coordinate / length)
+    }
+
+    /// Each of many lights adds its rounding.
+    fn check<const LIGHTS: usize>() {
+        let mut state = 0x2545_f491u32;
+        let mut next = || {
+            // xorshift32 (Marsaglia 2003).
+            state ^= state << 13;
+            state ^= state >> 17;
+            state ^= state << 5;
+            state as i32
+        };
+        let area = Rectangle::new(Point::zero(), Size::new(64, 64));
+        let camera = Camera::new(area, I16F16::from_num(128)).unwrap();
+        let mut worst = 0.0f64;
+        for _ in 0..cases(10_000, 200_000) {
+            let directions = [0; LIGHTS].map(|_: i32| [next(), next(), next()]);
+            // No more than full light together.
+            let intensity = U0F16::from_bits(next() as u16 / LIGHTS as u16);
+            let ambient = U0F16::from_bits(next() as u16 / 2);
+            let angle = U0F16::from_bits(next() as u16);
+            let rotation = Rotation::about([next(), next(), next()].map(I16F16::from_bits), angle).unwrap();
+            let normal = unit([next(), next(), next()].map(f64::from)).map(|part| (part * 16_384.0).round() as i32);
+            let lights = Lambert {
+                ambient,
+                lights: directions
+                    .map(|way| DirectionalLight::from_direction(way.map(I16F16::from_bits), intensity).unwrap()),
+                points: [],
+            };
+            let lights = lights.seen_from(&Pose::new(rotation, [I16F16::ZERO; 3]), &camera);
+            let found = Lambert::<LIGHTS, 0>::reflected(&lights, normal, [0; 3]).diffuse;
+            let normal = normal.map(|part| f64::from(part) / 16_384.0);
+            let matrix = rotation.matrix().map(|row| row.map(|part| part.to_num::<f64>()));
+            let in_world = matrix.map(|row| dot(row, normal));
+            let cosines = directions.map(|way| dot(unit(way.map(f64::from)), in_world).max(0.0));
+            let exact = ambient.to_num::<f64>() + intensity.to_num::<f64>() * cosines.iter().sum::<f64>();
+            worst = worst.max((f64::from(found) - exact.min(1.0) * 32_768.0).abs());
+        }
+        assert!(worst <= 1.0 + 4.0 * LIGHTS as f64, "{worst}");
+        assert!(worst > LIGHTS as f64 / 2.0, "{worst}");
+    }
+
+    #[test]
+    fn light_from_directions_is_within_its_bound() {
+        check::<1>();
+        check::<4>();
+        check::<16>();
     }
 }
