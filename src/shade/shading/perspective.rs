@@ -37,9 +37,10 @@ use crate::{
 /// Attributes that vary evenly in space: `N` 16-bit numbers a vertex, divided by the depth at every 16th pixel of a span at
 /// least, or at every `STEP`th: 1, 2, 4, 8 or 16.
 ///
-/// Between divisions numbers step evenly. Over a face of which one side is twice as far away as the other they are off by up to
-/// 1/55 of the range of the texture where `STEP` is 16, by 1/190 where it is 8, and by nothing where it is 1. On a Cortex-M4 a
-/// large face takes a quarter more cycles with 8 and 4.8 times as many with 1.
+/// Between divisions numbers step evenly. Over a span of 128 pixels of which one end is twice as far away as the other they are
+/// off by up to 1/150 of what they change by where `STEP` is 16, by 1/550 where it is 8, and by nothing where it is 1; over one
+/// of 32 pixels by up to 1/14 and 1/42. On a Cortex-M4 a large face takes a quarter more cycles with 8 and 4.8 times as many
+/// with 1.
 ///
 /// At a pixel they are not rounded: the 16 fractional bits are those of the number. Where a face's depths differ by up to 100
 /// times, numbers over a range of 4,096 are within one unit where they are divided. Numbers within 8 units of the ends of `i16`
