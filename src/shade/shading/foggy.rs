@@ -8,10 +8,10 @@
 //!                 start  end       distance along the camera's axis
 //! ```
 //!
-//! Guarantees: fog has 33 steps; in front of its start each pixel keeps its colour, and behind its end it has the fog's. The
-//! depth of a pixel in the fog is within 1/64 of the way from start to end, for faces that reach no farther than 63 times that
-//! way from its start, in coordinates so small that 1/32,768 of them is no distance, and with depths that differ by up to 100
-//! times.
+//! Guarantees: fog has 33 steps; a face in front of its start keeps its colour, and one behind its end has the fog's. The depth
+//! of a pixel in the fog is within 1/64 of the way from start to end at both ends of a span and at every 16th column, and steps
+//! evenly in between ([`Perspective`] says how far that may be off), for faces that reach no farther than 63 times that way from
+//! its start, in coordinates so small that 1/32,768 of them is no distance, and with depths that differ by up to 100 times.
 //!
 //! Cost of a pixel: an addition, a look-up, and two multiplications' worth of mixing.
 //!
