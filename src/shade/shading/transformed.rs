@@ -19,7 +19,9 @@ use crate::{
 /// What a model takes beside its mesh is that of `H` and its map: `(skin, map)`. A vertex costs three long multiplications a
 /// coordinate instead of short ones; the normal of a vertex or a face that is lit a square root and three divisions of 32 bits.
 /// Coordinates in eye space are within 2^-12 units and 2^-25 times the sum of the sizes of the vertex' coordinates; normals
-/// within 2 units of 1/16,384 of the exact directions. Shadings that are posed alone cost what they do without this type.
+/// within 2 units of 1/16,384 of the exact directions. Lights from points, highlights and fog see a vertex in the nearest whole
+/// unit to where its map takes it: where these are to be as exact as for a posed model, the unit of the world is small beside
+/// their distances. Shadings that are posed alone cost what they do without this type.
 ///
 /// A map that mirrors turns outsides into outsides: the corners of its faces run the other way, and the second and the third
 /// are exchanged, so that what was seen from the front still is. A map to a plane leaves faces on it; light on it comes from
