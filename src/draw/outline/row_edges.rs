@@ -7,21 +7,21 @@
 //!        \_/  \        2       3
 //! ```
 //!
-//! Guarantees: the number is exact where it is at most 254. Cost: all edges for every 256 rows, and 256 bytes of stack.
+//! Guarantees: the number is exact where it is at most 65,534. Cost: all edges for every 128 rows, and 256 bytes of stack.
 
 use core::ops::Range;
 
 use crate::{coverage::edges::AntialiasedEdge, draw::SubOutline};
 
 /// Rows that are counted at once.
-const ROWS: usize = 256;
+const ROWS: usize = 128;
 
 /// The most edges that one of some rows has, in which all edges of an outline lie; `at_most` where there are many.
 #[inline(never)]
 pub(crate) fn most_edges(outline: &dyn SubOutline, rows: Range<i32>, at_most: usize) -> usize {
     let mut most = 0;
     for first in rows.step_by(ROWS) {
-        let mut counts = [0u8; ROWS];
+        let mut counts = [0u16; ROWS];
         outline.edges(&mut |from, to| {
             let Some(edge) = AntialiasedEdge::from_units(from, to) else {
                 return;
@@ -34,7 +34,7 @@ pub(crate) fn most_edges(outline: &dyn SubOutline, rows: Range<i32>, at_most: us
         });
         most = counts.iter().copied().max().unwrap_or(0).max(most);
     }
-    if most == u8::MAX { at_most } else { most.into() }
+    if most == u16::MAX { at_most } else { most.into() }
 }
 
 #[cfg(test)]
@@ -57,5 +57,12 @@ mod tests {
         ];
         let zigzag = zigzag.map(|(x, y)| point(x, y));
         assert_eq!(most_edges(&[zigzag.as_slice()], -299..301, 7), 6);
+    }
+
+    #[test]
+    fn hundreds_of_edges_in_a_row_are_counted() {
+        let corner = |x: i32| SubPoint::<Sub8>::from_units(x * 256, x % 2 * 2_560).unwrap();
+        let zigzag: [_; 300] = core::array::from_fn(|x| corner(x as i32));
+        assert_eq!(most_edges(&[zigzag.as_slice()], 0..11, 1_000), 300);
     }
 }
