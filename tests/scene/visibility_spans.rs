@@ -178,6 +178,23 @@ fn faces_without_slots_are_set_up_for_each_interval() {
     check_slots::<40>(&models, &camera);
 }
 
+/// Of two faces that begin in the same row one goes on where the other one has ended: below, the only slot is room enough.
+#[test]
+fn faces_that_end_above_a_row_take_no_slot() {
+    let vertices = [
+        [-500, 300],
+        [-100, 300],
+        [-300, 200],
+        [100, 300],
+        [500, 300],
+        [300, -300],
+    ]
+    .map(|[x, y]| [x, y, 0]);
+    let scene = Scene::new(vec![Mesh::new(vertices.to_vec(), vec![[0, 1, 2], [3, 4, 5]])]);
+    let models = scene.models(upright(1_000));
+    check_slots::<1>(&models, &camera(area(WIDTH, HEIGHT)));
+}
+
 /// A method that was left in the middle of a frame goes on in another frame, or after rows that the depth row drew.
 #[test]
 fn a_frame_may_be_left_at_any_row() {

@@ -148,9 +148,14 @@ fn entered<'l, S: ScreenPrecision, D: DepthWidth, H: Shading>(
     faces: &impl FaceTable<S, D, H>,
     [left, row]: [i32; 2],
 ) -> Option<&'l mut ActiveList<S, H>> {
-    if list.needs_passes() && list.passes.crossing(faces, row) > list.capacity() {
-        list.next_row = i32::MIN;
-        return None;
+    if list.needs_passes() {
+        if list.passes.crossing(faces, row) > list.capacity() {
+            list.next_row = i32::MIN;
+            return None;
+        }
+        // Of faces that have ended above the row, more may have begun in one row than there are slots.
+        list.begin_passes(faces, [left, row]);
+        return Some(list);
     }
     if list.next_row == row && list.first_column == left && !list.disjoint {
         list.close_gaps();
