@@ -19,7 +19,8 @@ use crate::{
 ///
 /// The skin of a model is that of `H` together with the planes of its mesh: `(skin, planes)`, which [`FacePlanes`] finds in a
 /// `const`.
-/// They must be those of the mesh: of one that was [moved](FaceSet::morphed) in between, faces may be missing in the picture.
+/// They must be those of the mesh: of one that was [moved](FaceSet::morphed) in between, faces may be missing in the picture, or
+/// reach behind the far plane without being cut there.
 /// Models of which some may be off the screen, nearer than the near plane or behind the far plane, and all models in looks that
 /// are [`Transformed`](crate::shade::Transformed), [`DoubleSided`](crate::scene::DoubleSided) or
 /// [`Unhurried`](crate::scene::Unhurried), are prepared as without planes.
