@@ -143,12 +143,13 @@ impl<D: DepthWidth, const ACTIVE: usize> Method<D> for SpanScanLine<ACTIVE> {
 
 /// The active list at a row that begins at a column: all faces that cross it are set up in the first slots. `None` where there
 /// are too few slots; then the list is entered anew at the next row.
-fn entered<'l, S: ScreenPrecision, D: DepthWidth, H: Shading>(
+fn entered<'l, S: ScreenPrecision, D: DepthWidth, H: Shading, F: FaceTable<S, D, H>>(
     list: &'l mut ActiveList<S, H>,
-    faces: &impl FaceTable<S, D, H>,
+    faces: &F,
     [left, row]: [i32; 2],
 ) -> Option<&'l mut ActiveList<S, H>> {
-    if list.needs_passes() {
+    // The constant first: looks without passes, in which all rows fit, link none of this.
+    if F::DRAWS_IN_PASSES && list.needs_passes() {
         if list.passes.crossing(faces, row) > list.capacity() {
             list.next_row = i32::MIN;
             return None;
