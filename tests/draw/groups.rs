@@ -506,6 +506,32 @@ fn ends_that_are_taken_out_are_damage() {
     }
 }
 
+/// Where the end of a group is taken out, the next one lies in it and has no row of its own: it is drawn opaque.
+#[test]
+fn a_group_without_a_row_is_opaque() {
+    let (mut slots, mut pool, mut kept) = ([PictureSlot::EMPTY; 5], [0; 40], [0; WIDTH]);
+    let mut picture = Picture::<Rgb565>::new(AREA, &mut slots, &mut pool, &mut []).with_group_rows(&mut kept);
+    let frame = AREA.into_styled(PrimitiveStyle::with_fill(Rgb565::WHITE));
+    picture.begin_group(Group::new().opacity(9)).unwrap();
+    let end = picture.end_group().unwrap();
+    let group = picture.begin_group(Group::new().opacity(128)).unwrap();
+    picture.add(&frame).unwrap();
+    picture.end_group().unwrap();
+    let first_pixel = |picture: &mut Picture<'_, '_, Rgb565>| {
+        let mut words = [0; WIDTH];
+        let row = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, 1));
+        picture.draw(&mut Band::new(row, &mut words).unwrap());
+        words[0]
+    };
+    let white_over_black = |opacity| Rgb565::WHITE.over::<10>(Rgb565::BLACK, opacity, Point::zero());
+    assert_eq!(first_pixel(&mut picture), white_over_black(128).into_storage());
+    picture.remove(end);
+    assert_eq!(first_pixel(&mut picture), white_over_black(9).into_storage());
+    // Such a group cannot be changed either, before there are rows for it.
+    let error = picture.replace_group(group, Group::new().opacity(64));
+    assert_eq!(error, Err(InputError::TooSmall(TooSmall::GroupWords(2 * WIDTH))));
+}
+
 /// Ids of another picture, of one that was cleared, and of items that are no groups.
 #[test]
 fn wrong_ids_are_no_lack_of_memory() {

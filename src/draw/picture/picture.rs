@@ -298,8 +298,9 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     ///
     /// Of a group, the item that [`begin_group`](Self::begin_group) added may be taken out, and with it goes the one that
     /// [`end_group`](Self::end_group) added: its items stay, and are neither clipped nor blended by it any more. Without the end alone,
-    /// the group goes on to the end of the group around it, which then goes on likewise, or to that of the picture. An id that names no
-    /// item here does nothing.
+    /// the group goes on to the end of the group around it, which then goes on likewise, or to that of the picture; groups behind it then
+    /// lie in it, and are drawn opaque where too few rows are lent ([`with_group_rows`](Self::with_group_rows)) for all of them. An id
+    /// that names no item here does nothing.
     pub fn remove(&mut self, id: ItemId) {
         if self.check_id(id).is_ok() {
             // No error: it needs no words.
