@@ -93,7 +93,7 @@ pub enum TooSmall {
 }
 
 impl TooSmall {
-    /// How many entries the memory should have that the error is about: the smallest number with which the call does not fail for it,
+    /// The entries that the memory should have which the error is about: the smallest number with which the call does not fail for it,
     /// and for [`Clipper`](crate::clip::Clipper) one that is enough.
     pub const fn needed(&self) -> usize {
         match *self {

@@ -302,7 +302,7 @@ fn published_failures() {
     }
 }
 
-/// Of a part and of a hole thinner than a unit, rounding leaves a contour that runs the other way round: what it is stays known.
+/// Rounding may turn the contour of a part or of a hole that is thinner than a unit around: it is still known which of both it is.
 #[test]
 fn rounding_turns_a_sliver_around() {
     let signs = |subject: &[Position], clip: &[Position], operation| {

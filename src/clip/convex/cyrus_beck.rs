@@ -105,8 +105,8 @@ impl<S: SubPixel> ParametricSegment<S> {
     /// The two ends of the segment, rounded inwards: each that is cut is the nearest of the units around the exact point
     /// that lies in the window, less than a unit off in x and in y. The window is one that it was clipped to.
     ///
-    /// Of equally near units it is that furthest from the side that cuts, or from the first one that it was clipped to where
-    /// several cut in one point; where that does not decide, as on an upright side, the one with the larger x, then y. Where
+    /// An end with several nearest units is that furthest from the side that cuts, or from the first one that it was clipped to
+    /// where several cut in one point; where that does not decide, as on an upright side, the one with the larger x, then y. Where
     /// the segment between them is clipped and rounded again, nothing changes.
     ///
     /// The exception: where none of the units around the exact point lies in the window, which takes another side within one

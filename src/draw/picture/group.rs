@@ -369,7 +369,7 @@ impl<'m, 'a, C: ChannelColor, O: Order> Picture<'m, 'a, C, O> {
         }
     }
 
-    /// How many groups lie around an item that keep a row.
+    /// The number of groups around an item of which a row is kept.
     fn kept_around(&self, index: usize) -> usize {
         let (mut ended, mut kept) = (0usize, 0);
         for before in (0..index).rev() {

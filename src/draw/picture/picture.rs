@@ -262,7 +262,7 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// changes nothing. Else all pixels of both have changed, and the shape is prepared twice.
     ///
     /// # Errors
-    /// As [`add`](Self::add); [`InputError::NoSuchItem`] for an id that names no item here. The item then stays.
+    /// The errors of [`add`](Self::add), and [`InputError::NoSuchItem`] for an id that names no item here. The item then stays.
     pub fn replace(&mut self, id: ItemId, item: &impl Prepare<'a, C, O>) -> Result<(), InputError> {
         self.check_id(id)?;
         if let Ok((at, words, draft)) = self.pool.append(|payload| item.prepare(payload)) {
@@ -296,8 +296,8 @@ impl<'m, 'a, C: BandColor, O: Order> Picture<'m, 'a, C, O> {
     /// Takes an item's pixels out of the picture and its words out of the pool. Its position in the painter's order stays:
     /// [`replace`](Self::replace) puts something there again.
     ///
-    /// Of a group, the item that [`begin_group`](Self::begin_group) added may be taken out, and with it goes the one that
-    /// [`end_group`](Self::end_group) added: its items stay, and are neither clipped nor blended by it any more. Without the end alone,
+    /// A group is dissolved where the item that [`begin_group`](Self::begin_group) added is taken out: with it goes the one that
+    /// [`end_group`](Self::end_group) added, and its items stay, neither clipped nor blended by it any more. Without the end alone,
     /// the group goes on to the end of the group around it, which then goes on likewise, or to that of the picture; groups behind it then
     /// lie in it, and are drawn opaque where too few rows are lent ([`with_group_rows`](Self::with_group_rows)) for all of them. An id
     /// that names no item here does nothing.

@@ -135,8 +135,6 @@ fn dot([x, y, z]: [i32; 3], [other_x, other_y, other_z]: [i32; 3]) -> i32 {
 
 #[cfg(test)]
 mod tests {
-    extern crate std;
-
     use embedded_graphics::{
         geometry::{Point, Size},
         primitives::Rectangle,
@@ -144,16 +142,13 @@ mod tests {
     use fixed::types::I16F16;
 
     use super::*;
-    use crate::{cases::cases, shade::PointLight};
-
-    fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
-        a * x + b * y + c * z
-    }
-
-    fn unit(vector: [f64; 3]) -> [f64; 3] {
-        let length = dot(vector, vector).sqrt();
-        vector.map(|coordinate| coordinate / length)
-    }
+    use crate::{
+        cases::cases,
+        shade::{
+            PointLight,
+            shading::double_vectors::{dot, unit},
+        },
+    };
 
     /// Light and eye as near as the bound allows and farther away, and normals from the middle of the highlight on.
     #[test]

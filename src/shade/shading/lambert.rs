@@ -148,24 +148,17 @@ impl<const LIGHTS: usize, const POINTS: usize> Lighting for Lambert<LIGHTS, POIN
 
 #[cfg(test)]
 mod tests {
-    extern crate std;
-
     use embedded_graphics::{
         geometry::{Point, Size},
         primitives::Rectangle,
     };
 
     use super::*;
-    use crate::{cases::cases, view::Rotation};
-
-    fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
-        a * x + b * y + c * z
-    }
-
-    fn unit(vector: [f64; 3]) -> [f64; 3] {
-        let length = dot(vector, vector).sqrt();
-        vector.map(|coordinate| coordinate / length)
-    }
+    use crate::{
+        cases::cases,
+        shade::shading::double_vectors::{dot, unit},
+        view::Rotation,
+    };
 
     /// Each of many lights adds its rounding.
     fn check<const LIGHTS: usize>() {

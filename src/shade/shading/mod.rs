@@ -8,6 +8,8 @@
 mod attributes;
 mod blinn;
 mod bounded;
+#[cfg(test)]
+mod double_vectors;
 mod flat;
 
 mod flat_lit;

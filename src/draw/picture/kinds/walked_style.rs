@@ -239,7 +239,7 @@ impl<'w> Parts<'w> {
         )
     }
 
-    /// Whether it lies where not all of it is generated: its shapes may be others than those of the list.
+    /// Whether the stroke lies where not all of it is generated, and its shapes may be others than those of the list.
     const fn is_anew(&self) -> bool {
         self.header[RADIUS] & IS_ANEW != 0
     }

@@ -110,7 +110,7 @@ use waiting::{Condition, Waiting};
 /// as well: what is seen through a face, or beside it, was painted before it. Of a surface that ends within a pixel the colour is
 /// composited, by its coverage, over what is there: also over translucent faces and faces that are cut, which the depth row leaves
 /// out there. Otherwise pictures are those of the depth row, to the bit. Edges between faces and those of splits leave no seam.
-/// Where two silhouettes at different depths pass through one pixel, they are taken for one. In a pixel that more than 31 surfaces
+/// Two silhouettes at different depths that pass through one pixel are taken for one. In a pixel that more than 31 surfaces
 /// cover as a whole, one behind the other, another one of them may be taken for the one that ends there.
 ///
 /// Silhouettes are antialiased row by row: each row of a band is sorted by itself, with a look at all faces that begin above its
